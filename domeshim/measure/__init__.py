@@ -1,0 +1,1 @@
+"""Was it right, was it fast: capture and comparison."""

@@ -1,0 +1,1 @@
+"""2 of 7: glBegin..glEnd, arrays and display lists become meshes and command lists."""

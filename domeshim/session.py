@@ -1,0 +1,175 @@
+"""The one Session of a process: its options, its clock, its screen, and who hears when a frame ends.
+
+Nothing else in the package keeps state at module level. A program's GLUT, the intercepted GL and the
+commands all meet here.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Protocol
+
+from domeshim.options import Options
+from domeshim.window.clock import Clock, RealClock
+
+if TYPE_CHECKING:
+    from domeshim.window.contract import Backend, BackendFactory, Window
+
+
+class Dome(Protocol):
+    """What the intercepted GL offers to the session while the dome is on."""
+
+    def window_opened(self, window: Window, program_size: tuple[int, int], display: int) -> None:
+        """A window's context was made and is current."""
+
+    def window_current(self, window: Window | None) -> None:
+        """The program's GL calls go to this window from now on."""
+
+    def window_resized(self, window: Window, program_size: tuple[int, int]) -> None:
+        """The program's window has this size now, in the program's own pixels."""
+
+    def window_closed(self, window: Window) -> None:
+        """The window's context is about to go."""
+
+    def frame_ending(self, window: Window) -> None:
+        """The picture is complete: what must still be drawn over it is drawn now."""
+
+
+class FrameListener(Protocol):
+    """Hears of each finished picture, before it is shown."""
+
+    def frame_finished(self, window: Window, number: int) -> None:
+        """Picture number (1 the first) stands complete in the window's back buffer."""
+
+
+class Session:
+    """All state of one run of one program.
+
+    The order within a frame's end is: the dome completes the picture, the listeners see it, the window
+    shows it, the clock goes on.
+    """
+
+    def __init__(
+        self,
+        options: Options | None = None,
+        *,
+        clock: Clock | None = None,
+        backend: BackendFactory | None = None,
+        window_size: tuple[int, int] | None = None,
+    ) -> None:
+        self.options = options if options is not None else Options()
+        self.clock: Clock = clock if clock is not None else RealClock()
+        self.window_size = window_size
+        """The window's size in pixels whatever the program asks for, or None."""
+        self.dome: Dome | None = None
+        self.listeners: list[FrameListener] = []
+        self.frames = 0
+        self._backend_factory = backend
+        self._backend: Backend | None = None
+        self._window: Window | None = None
+        self._drawn = False
+        self._flushed = False
+        self._displaying = False
+
+    @property
+    def backend(self) -> Backend:
+        """The screen, or the place off it, that windows come from; opened on first use."""
+        if self._backend is None:
+            if self._backend_factory is not None:
+                self._backend = self._backend_factory()
+            else:
+                from domeshim.window.choose import choose_backend  # noqa: PLC0415 - glfw only when a window is wanted
+
+                self._backend = choose_backend()
+        return self._backend
+
+    # What the toolkit tells us of its windows.
+
+    def window_opened(self, window: Window, program_size: tuple[int, int]) -> None:
+        """A window was opened and made current; the program believes in program_size, (width, height)."""
+        self._window = window
+        if self.dome is not None:
+            self.dome.window_opened(window, program_size, self.options.display or 0)
+
+    def window_current(self, window: Window | None) -> None:
+        """The program's GL calls go to this window from now on."""
+        self._window = window
+        if self.dome is not None:
+            self.dome.window_current(window)
+
+    def window_resized(self, window: Window, program_size: tuple[int, int]) -> None:
+        """The program's window has this size now, (width, height) in the program's own pixels."""
+        if self.dome is not None:
+            self.dome.window_resized(window, program_size)
+
+    def window_closed(self, window: Window) -> None:
+        """The window is about to close."""
+        if self.dome is not None:
+            self.dome.window_closed(window)
+        if self._window is window:
+            self._window = None
+
+    # How a frame ends: at the swap, or at the flush of a single-buffered program (DESIGN 7).
+
+    def drawing(self) -> None:
+        """Something is being drawn; a new picture begins where the last one was flushed."""
+        self._drawn = True
+
+    def clearing(self) -> None:
+        """The colour buffer is about to be cleared: what was flushed before was a whole picture."""
+        if self._flushed and self._window is not None:
+            self._end_frame(self._window)
+        self._drawn = True
+
+    def flushed(self) -> None:
+        """The program flushed: a single-buffered picture is finished, at the end of display if inside it."""
+        window = self._window
+        if window is None or window.format.double_buffer or not self._drawn:
+            return
+        if self._displaying:
+            self._flushed = True
+        else:
+            self._end_frame(window)
+
+    def swapped(self, window: Window) -> None:
+        """The program swapped its buffers: the picture is finished."""
+        self._end_frame(window)
+
+    def display_begins(self, window: Window) -> None:
+        """The program's display callback is about to run."""
+        self._window = window
+        self._displaying = True
+        self._flushed = self._drawn = False
+
+    def display_ended(self, window: Window) -> None:
+        """The display callback has returned; what it drew and never swapped is finished now."""
+        self._displaying = False
+        if self._drawn:
+            self._end_frame(window)
+
+    def _end_frame(self, window: Window) -> None:
+        self._drawn = self._flushed = False
+        if self.dome is not None:
+            self.dome.frame_ending(window)
+        self.frames += 1
+        for listener in tuple(self.listeners):
+            listener.frame_finished(window, self.frames)
+        window.swap_buffers()
+        self.clock.frame_finished()
+
+
+_current: Session | None = None
+
+
+def current() -> Session:
+    """The session of this process; made from the environment when nobody began one."""
+    if _current is None:
+        begin(Session(Options.from_environment()))
+    assert _current is not None
+    return _current
+
+
+def begin(session: Session) -> Session:
+    """Make this the process's session and return it."""
+    global _current  # noqa: PLW0603 - the one place where the package remembers anything
+    _current = session
+    return session
