@@ -1,0 +1,103 @@
+"""GL called straight, past PyOpenGL's wrappers, for our own questions and draws.
+
+PyOpenGL checks glGetError after each call and converts each argument; ours are made between the program's
+calls, many a frame, and must neither pay for that nor disturb the program's own error checks.
+"""
+
+from __future__ import annotations
+
+import ctypes
+from ctypes import POINTER, c_char_p, c_double, c_float, c_int, c_ssize_t, c_ubyte, c_uint, c_void_p
+from typing import Any
+
+_INT, _UINT, _ENUM, _FLOAT, _POINTER = c_int, c_uint, c_uint, c_float, c_void_p
+
+_SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
+    "glGetError": (_ENUM, ()),
+    "glIsEnabled": (c_ubyte, (_ENUM,)),
+    "glEnable": (None, (_ENUM,)),
+    "glDisable": (None, (_ENUM,)),
+    "glGetIntegerv": (None, (_ENUM, POINTER(c_int))),
+    "glGetFloatv": (None, (_ENUM, POINTER(c_float))),
+    "glGetDoublev": (None, (_ENUM, POINTER(c_double))),
+    "glGetString": (c_char_p, (_ENUM,)),
+    "glGetLightfv": (None, (_ENUM, _ENUM, POINTER(c_float))),
+    "glGetTexGeniv": (None, (_ENUM, _ENUM, POINTER(c_int))),
+    "glActiveTexture": (None, (_ENUM,)),
+    "glViewport": (None, (_INT, _INT, _INT, _INT)),
+    "glScissor": (None, (_INT, _INT, _INT, _INT)),
+    "glPushAttrib": (None, (c_uint,)),
+    "glPopAttrib": (None, ()),
+    "glDrawArrays": (None, (_ENUM, _INT, _INT)),
+    "glColorMask": (None, (c_ubyte,) * 4),
+    "glPolygonMode": (None, (_ENUM, _ENUM)),
+    "glLogicOp": (None, (_ENUM,)),
+    "glRenderMode": (_INT, (_ENUM,)),
+    "glUseProgram": (None, (_UINT,)),
+    "glCreateShader": (_UINT, (_ENUM,)),
+    "glDeleteShader": (None, (_UINT,)),
+    "glShaderSource": (None, (_UINT, _INT, POINTER(c_char_p), POINTER(c_int))),
+    "glCompileShader": (None, (_UINT,)),
+    "glGetShaderiv": (None, (_UINT, _ENUM, POINTER(c_int))),
+    "glGetShaderInfoLog": (None, (_UINT, _INT, POINTER(c_int), c_char_p)),
+    "glCreateProgram": (_UINT, ()),
+    "glDeleteProgram": (None, (_UINT,)),
+    "glAttachShader": (None, (_UINT, _UINT)),
+    "glLinkProgram": (None, (_UINT,)),
+    "glGetProgramiv": (None, (_UINT, _ENUM, POINTER(c_int))),
+    "glGetProgramInfoLog": (None, (_UINT, _INT, POINTER(c_int), c_char_p)),
+    "glGetUniformLocation": (_INT, (_UINT, c_char_p)),
+    "glUniform1fv": (None, (_INT, _INT, POINTER(c_float))),
+    "glUniform2fv": (None, (_INT, _INT, POINTER(c_float))),
+    "glUniform3fv": (None, (_INT, _INT, POINTER(c_float))),
+    "glUniformMatrix4fv": (None, (_INT, _INT, c_ubyte, POINTER(c_float))),
+    "glBindBuffer": (None, (_ENUM, _UINT)),
+    "glBufferData": (None, (_ENUM, c_ssize_t, _POINTER, _ENUM)),
+}
+
+
+class Driver:
+    """The GL entry points by name, looked up once; attributes are ctypes functions.
+
+    Raises DriverError at the first use of an entry point that this GL does not have.
+    """
+
+    def __getattr__(self, name: str) -> Any:
+        function = _look_up(name)
+        setattr(self, name, function)
+        return function
+
+    def integers(self, name: int, count: int) -> tuple[int, ...]:
+        """What glGetIntegerv says, as so many integers."""
+        values = (c_int * count)()
+        self.glGetIntegerv(name, values)
+        return tuple(values)
+
+    def integer(self, name: int) -> int:
+        """What glGetIntegerv says, for a single value."""
+        return self.integers(name, 1)[0]
+
+    def doubles(self, name: int, count: int) -> tuple[float, ...]:
+        """What glGetDoublev says, as so many numbers."""
+        values = (c_double * count)()
+        self.glGetDoublev(name, values)
+        return tuple(values)
+
+
+def _look_up(name: str) -> Any:
+    from OpenGL.platform import PLATFORM  # noqa: PLC0415 - only once the program has a window
+
+    from domeshim.errors import DriverError  # noqa: PLC0415
+
+    if name not in _SIGNATURES:
+        raise AttributeError(name)
+    result, arguments = _SIGNATURES[name]
+    prototype = ctypes.CFUNCTYPE(result, *arguments)
+    address = None
+    try:
+        address = ctypes.cast(getattr(PLATFORM.GL, name), c_void_p).value
+    except AttributeError:
+        address = PLATFORM.getExtensionProcedure(name.encode())
+    if not address:
+        raise DriverError(f"this machine's OpenGL has no {name}; run `domeshim doctor` to see what it has")
+    return prototype(address)

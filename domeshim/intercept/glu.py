@@ -1,0 +1,57 @@
+"""The intercepted names of OpenGL.GLU: perspectives are noted, and what draws from C is drawn on the dome."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+from domeshim.intercept.dome import Dome
+from domeshim.state.perspective import perspective
+
+if TYPE_CHECKING:
+    from domeshim.session import Session
+
+Call = Callable[..., Any]
+
+
+def replacements(session: Session, module: ModuleType) -> dict[str, Call]:
+    """Our function for each name of OpenGL.GLU that means something to the dome."""
+    dome = session.dome
+    if not isinstance(dome, Dome):
+        return {}
+    return {name: make(dome, vars(module)[name]) for name, make in _CALLS.items() if name in vars(module)}
+
+
+def _perspective(dome: Dome, original: Call) -> Call:
+    def call(fovy: float, aspect: float, zNear: float, zFar: float) -> Any:
+        if dome.context is not None:
+            dome.context.perspective_set(perspective(fovy, aspect, zNear, zFar))
+        return original(fovy, aspect, zNear, zFar)
+
+    return call
+
+
+def _draw(dome: Dome, original: Call) -> Call:
+    def call(*args: Any, **named: Any) -> Any:
+        if dome.context is not None:
+            dome.context.dress()
+        return original(*args, **named)
+
+    return call
+
+
+def _read(dome: Dome, original: Call) -> Call:
+    def call(*args: Any, **named: Any) -> Any:
+        if dome.context is not None:
+            dome.context.undress()
+        return original(*args, **named)
+
+    return call
+
+
+_CALLS: Mapping[str, Callable[[Dome, Call], Call]] = {
+    "gluPerspective": _perspective,
+    **dict.fromkeys(("gluSphere", "gluCylinder", "gluDisk", "gluPartialDisk", "gluEndCurve", "gluEndSurface"), _draw),
+    **dict.fromkeys(("gluProject", "gluUnProject", "gluUnProject4", "gluPickMatrix"), _read),
+}

@@ -1,0 +1,177 @@
+"""A recipe becomes the text of a vertex shader: pure, and tested as text.
+
+Each part of the pipeline names the snippets that it needs and the statements that it puts into main(),
+in the order in which the values come into being.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from domeshim.shading.recipe import ColorMaterial, Light, Lighting, Mapping, Recipe, Scene, Texture
+from domeshim.shading.snippets import snippet
+
+VERSION = "#version 150 compatibility"
+
+
+@dataclass(frozen=True)
+class Source:
+    """A shader's text, and the snippet behind each source number of its #line directives."""
+
+    text: str
+    files: tuple[str, ...]
+
+
+@dataclass
+class _Draft:
+    snippets: list[str] = field(default_factory=list)
+    statements: list[str] = field(default_factory=list)
+
+    def need(self, name: str) -> None:
+        if name not in self.snippets:
+            self.snippets.append(name)
+
+    def add(self, *statements: str) -> None:
+        self.statements.extend(statements)
+
+
+def compose(recipe: Recipe) -> Source:
+    """The vertex shader for a recipe."""
+    draft = _Draft()
+    draft.add("vec4 eye = gl_ModelViewMatrix * gl_Vertex;")
+    _position(draft, recipe)
+    _clip_planes(draft, recipe.scene)
+    _normal(draft, recipe.scene)
+    _color(draft, recipe.scene)
+    for texture in recipe.scene.textures:
+        _texture(draft, texture)
+    _fog(draft, recipe)
+    if recipe.scene.point_attenuation:
+        draft.need("point/attenuated")
+        draft.add("gl_PointSize = pointSize(eye);")
+    return _write(draft)
+
+
+def _write(draft: _Draft) -> Source:
+    lines = [VERSION]
+    for number, name in enumerate(draft.snippets, start=1):
+        lines += [f"#line 1 {number}", snippet(name).rstrip("\n")]
+    lines += ["#line 1 0", "void main() {", *(f"    {s}" for s in draft.statements), "}", ""]
+    return Source("\n".join(lines), ("main", *draft.snippets))
+
+
+def _position(draft: _Draft, recipe: Recipe) -> None:
+    mapping = recipe.mapping
+    draft.need(f"place/{mapping.place}")
+    draft.add("vec4 place = placed(eye);")
+    if mapping.tilted:
+        draft.need("place/tilt")
+        draft.add("place = tilted(place);")
+    draft.need(f"lens/{mapping.lens}")
+    if mapping.method == "paper":
+        draft.need("bend/paper")
+        draft.add("gl_Position = bent(place);")
+    elif mapping.place == "panel":
+        _panel_position(draft, recipe)
+    else:
+        draft.need("bend/vertex")
+        draft.need("clip/cone" if mapping.wide else "clip/behind")
+        draft.add("gl_Position = bent(place);", f"gl_ClipDistance[{recipe.clip_distances[0]}] = inFront(place);")
+
+
+def _panel_position(draft: _Draft, recipe: Recipe) -> None:
+    draft.need("bend/panel")
+    draft.need("clip/panel")
+    draft.add(
+        "vec4 clip = gl_ProjectionMatrix * eye;",
+        "gl_Position = bent(place, clip.z / clip.w);",
+        "vec4 inside = insideViewport(clip);",
+    )
+    draft.add(*(f"gl_ClipDistance[{k}] = inside.{axis};" for k, axis in zip(recipe.clip_distances, "xyzw", strict=False)))
+
+
+def _clip_planes(draft: _Draft, scene: Scene) -> None:
+    if scene.clip_planes:
+        draft.need("clip/plane")
+    draft.add(*(f"gl_ClipDistance[{i}] = abovePlane({i}, eye);" for i in scene.clip_planes))
+
+
+def _normal(draft: _Draft, scene: Scene) -> None:
+    mapped = any(g in ("sphere", "reflection", "normal") for t in scene.textures for g in t.generated)
+    if scene.lighting or mapped:
+        draft.need(f"light/normal_{scene.normals}")
+        draft.add("vec3 normal = eyeNormal();")
+
+
+def _color(draft: _Draft, scene: Scene) -> None:
+    if scene.lighting is None:
+        draft.add("gl_FrontColor = gl_Color;")
+        if scene.secondary_color:
+            draft.add("gl_FrontSecondaryColor = gl_SecondaryColor;")
+        return
+    draft.need(f"light/viewer_{'local' if scene.lighting.local_viewer else 'infinite'}")
+    draft.add("vec3 viewer = toViewer(eye);")
+    _lit_face(draft, scene.lighting, "Front", "normal")
+    if scene.lighting.two_sided:
+        _lit_face(draft, scene.lighting, "Back", "-normal")
+
+
+def _lit_face(draft: _Draft, lighting: Lighting, face: str, normal: str) -> None:
+    surface = face.lower()
+    draft.need("light/surface")
+    draft.add(f"Surface {surface} = surfaceOf(gl_{face}Material, {normal});")
+    draft.add(*_followed(lighting.color_material, surface))
+    for light in lighting.lights:
+        _light(draft, light, surface)
+    draft.need("light/sum_separate" if lighting.separate_specular else "light/sum")
+    draft.add(f"gl_{face}Color = litColor({surface});")
+    if lighting.separate_specular:
+        draft.add(f"gl_{face}SecondaryColor = litSecondaryColor({surface});")
+
+
+def _followed(material: ColorMaterial | None, surface: str) -> Iterator[str]:
+    if material is not None and material.face in (surface, "both"):
+        for part in material.follows:
+            yield f"{surface}.{part} = gl_Color;"
+
+
+def _light(draft: _Draft, light: Light, surface: str) -> None:
+    if light.kind != "directional":
+        draft.need("light/positional")
+    draft.need(f"light/{light.kind}")
+    draft.add(f"light{light.kind.capitalize()}({light.index}, eye, viewer, {surface});")
+
+
+_TEXGEN = {
+    "object": "dot(gl_ObjectPlane{C}[{u}], gl_Vertex)",
+    "eye": "dot(gl_EyePlane{C}[{u}], eye)",
+    "sphere": "sphereMap(eye, normal).{c}",
+    "reflection": "reflectionMap(eye, normal).{c}",
+    "normal": "vec4(normal, 1.0).{c}",
+}
+
+
+def _texture(draft: _Draft, texture: Texture) -> None:
+    u = texture.unit
+    draft.add(f"vec4 texture{u} = gl_MultiTexCoord{u};")
+    for axis, generated in zip("strq", texture.generated, strict=True):
+        if generated is None:
+            continue
+        if generated in ("sphere", "reflection"):
+            draft.need(f"texture/{generated}")
+        draft.add(f"texture{u}.{axis} = " + _TEXGEN[generated].format(C=axis.upper(), c=axis, u=u) + ";")
+    draft.add(f"gl_TexCoord[{u}] = " + (f"gl_TextureMatrix[{u}] * " if texture.matrix else "") + f"texture{u};")
+
+
+def _fog(draft: _Draft, recipe: Recipe) -> None:
+    fog = recipe.scene.fog
+    if fog is None:
+        return
+    draft.need(f"fog/{fog if fog == 'attribute' or _true_eye(recipe.mapping) else 'depth'}")
+    draft.add("gl_FogFragCoord = fogCoordinate(eye);")
+
+
+def _true_eye(mapping: Mapping) -> bool:
+    """The program's MODELVIEW space is the viewer's own, so that a length in it is a distance from the viewer."""
+    return mapping.place == "modelview"

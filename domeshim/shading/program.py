@@ -1,0 +1,99 @@
+"""GLSL text becomes a program in the driver, and uniforms reach it, each only when it changed."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from ctypes import c_char_p, c_float, c_int, create_string_buffer
+from typing import TYPE_CHECKING
+
+from domeshim.errors import ShaderError
+
+if TYPE_CHECKING:
+    from domeshim.driver import Driver
+    from domeshim.shading.compose import Source
+
+_VERTEX, _FRAGMENT = 0x8B31, 0x8B30
+_COMPILE_STATUS, _LINK_STATUS, _INFO_LOG_LENGTH = 0x8B81, 0x8B82, 0x8B84
+_PLACE_IN_LOG = re.compile(r"\b(\d+)(?::(\d+)|\((\d+)\))")
+
+
+class Program:
+    """A linked program of one GL context.
+
+    Raises ShaderError with the driver's words, each place in them named by our file and line.
+    """
+
+    def __init__(self, driver: Driver, vertex: Source, fragment: Source | None = None) -> None:
+        self._driver = driver
+        self._locations: dict[str, int] = {}
+        self._sent: dict[str, tuple[float, ...]] = {}
+        self.name: int = driver.glCreateProgram()
+        stages = [(_VERTEX, vertex)] + ([(_FRAGMENT, fragment)] if fragment else [])
+        for stage, source in stages:
+            shader = _compile(driver, stage, source)
+            driver.glAttachShader(self.name, shader)
+            driver.glDeleteShader(shader)  # goes with the program
+        driver.glLinkProgram(self.name)
+        linked = c_int()
+        driver.glGetProgramiv(self.name, _LINK_STATUS, linked)
+        if not linked:
+            log = _log(driver.glGetProgramiv, driver.glGetProgramInfoLog, self.name)
+            raise ShaderError("the driver refused to link: " + explain(log, vertex))
+
+    def set(self, uniform: str, values: Sequence[float]) -> None:
+        """Give a uniform its value; the program must be bound. Unchanged values are not sent again.
+
+        values: 1, 2 or 3 floats for a float or vector; 5 for a float[5]; 16, column-major, for a mat4.
+        """
+        wanted = tuple(values)
+        if self._sent.get(uniform) == wanted:
+            return
+        self._sent[uniform] = wanted
+        location = self._locations.get(uniform)
+        if location is None:
+            location = self._locations[uniform] = self._driver.glGetUniformLocation(self.name, uniform.encode())
+        data = (c_float * len(wanted))(*wanted)
+        match len(wanted):
+            case 2:
+                self._driver.glUniform2fv(location, 1, data)
+            case 3:
+                self._driver.glUniform3fv(location, 1, data)
+            case 16:
+                self._driver.glUniformMatrix4fv(location, 1, 0, data)
+            case count:
+                self._driver.glUniform1fv(location, count, data)
+
+
+def explain(log: str, source: Source) -> str:
+    """A driver's log with its "source:line" places named by our files.
+
+    Mesa writes 2:7(5), NVIDIA 2(7); the first number is that of a #line directive.
+    """
+
+    def named(match: re.Match[str]) -> str:
+        number, line = int(match[1]), match[2] or match[3]
+        return f"{source.files[number]}.glsl:{line}" if number < len(source.files) else match[0]
+
+    return _PLACE_IN_LOG.sub(named, log)
+
+
+def _compile(driver: Driver, stage: int, source: Source) -> int:
+    shader: int = driver.glCreateShader(stage)
+    text = source.text.encode()
+    driver.glShaderSource(shader, 1, c_char_p(text), None)
+    driver.glCompileShader(shader)
+    compiled = c_int()
+    driver.glGetShaderiv(shader, _COMPILE_STATUS, compiled)
+    if not compiled:
+        log = _log(driver.glGetShaderiv, driver.glGetShaderInfoLog, shader)
+        raise ShaderError("the driver refused a shader: " + explain(log, source))
+    return shader
+
+
+def _log(get_size: Callable[..., None], get_log: Callable[..., None], name: int) -> str:
+    size = c_int()
+    get_size(name, _INFO_LOG_LENGTH, size)
+    text = create_string_buffer(max(size.value, 1))
+    get_log(name, len(text), None, text)
+    return text.value.decode(errors="replace").strip()

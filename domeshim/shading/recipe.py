@@ -1,0 +1,89 @@
+"""The recipe: all that a scene needs of the dome's vertex program, frozen and hashable.
+
+What is not in the recipe is not in the shader. The values themselves (a light's colour, a plane) are the
+driver's built-in uniforms and never part of it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+Texgen = Literal["object", "eye", "sphere", "reflection", "normal"]
+Face = Literal["front", "back", "both"]
+
+
+@dataclass(frozen=True)
+class Light:
+    """One enabled light by its number and kind."""
+
+    index: int
+    kind: Literal["directional", "positional", "spot"]
+
+
+@dataclass(frozen=True)
+class ColorMaterial:
+    """GL_COLOR_MATERIAL: which of the material's colours follow the vertex colour, and on which face."""
+
+    face: Face
+    follows: tuple[Literal["ambient", "diffuse", "specular", "emission"], ...]
+
+
+@dataclass(frozen=True)
+class Lighting:
+    """What the enabled lighting needs."""
+
+    lights: tuple[Light, ...] = ()
+    two_sided: bool = False
+    local_viewer: bool = False
+    separate_specular: bool = False
+    color_material: ColorMaterial | None = None
+
+
+@dataclass(frozen=True)
+class Texture:
+    """One enabled texture unit: what makes each of s, t, r, q (None: the vertex's own), and a matrix or none."""
+
+    unit: int
+    generated: tuple[Texgen | None, Texgen | None, Texgen | None, Texgen | None] = (None, None, None, None)
+    matrix: bool = False
+
+
+@dataclass(frozen=True)
+class Scene:
+    """What the program has enabled, as far as a vertex program has to do it."""
+
+    lighting: Lighting | None = None
+    normals: Literal["plain", "rescaled", "unit"] = "plain"
+    textures: tuple[Texture, ...] = ()
+    fog: Literal["distance", "attribute"] | None = None
+    clip_planes: tuple[int, ...] = ()
+    secondary_color: bool = False
+    point_attenuation: bool = False
+
+
+@dataclass(frozen=True)
+class Mapping:
+    """How the scene gets onto the disc."""
+
+    method: Literal["vertex", "paper"] = "vertex"
+    lens: Literal["equidistant", "polynomial"] = "equidistant"
+    place: Literal["modelview", "view", "panel"] = "modelview"
+    tilted: bool = False
+    wide: bool = False
+    """A field of view over 180 degrees: what is left out is a cone, not a half space."""
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """A vertex program in full: the mapping and the scene."""
+
+    mapping: Mapping = Mapping()
+    scene: Scene = Scene()
+
+    @property
+    def clip_distances(self) -> tuple[int, ...]:
+        """The clip distances that the mapping itself takes: the highest numbers that the program leaves free."""
+        wanted = 0 if self.mapping.method == "paper" else 4 if self.mapping.place == "panel" else 1
+        free = [i for i in range(8) if i not in self.scene.clip_planes]
+        return tuple(free[:wanted])

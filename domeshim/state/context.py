@@ -1,0 +1,230 @@
+"""One GL context on the dome: before a draw it puts the dome's program on, before a question takes it off.
+
+Between the two the program's own state stands in GL untouched, so that whatever it asks is answered as on
+the monitor (DESIGN 2.1). The dome's own state is on only while draws follow each other.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from domeshim.driver import Driver
+from domeshim.lens.models import Lens, lens_of, rim_radius
+from domeshim.options import Options
+from domeshim.shading.compose import compose
+from domeshim.shading.program import Program
+from domeshim.shading.recipe import Mapping, Recipe, Scene
+from domeshim.state.perspective import Matrix
+from domeshim.state.placement import Placement, Placer
+from domeshim.state.scene import GL_CLIP_PLANE0, GL_COLOR_SUM, GROUPS, SceneState
+from domeshim.window.frame import Frame, Rectangle
+
+_VIEWPORT, _MATRIX_MODE, _MODELVIEW, _PROJECTION, _TEXTURE = 0x0BA2, 0x0BA0, 0x1700, 0x1701, 0x1702
+_MODELVIEW_MATRIX, _PROJECTION_MATRIX = 0x0BA6, 0x0BA7
+_SCISSOR_TEST, _SCISSOR_BOX = 0x0C11, 0x0C10
+_VERTEX_PROGRAM_TWO_SIDE, _PROGRAM_POINT_SIZE, _RASTERIZER_DISCARD = 0x8643, 0x8642, 0x8C89
+
+
+@dataclass(frozen=True)
+class _Dressing:
+    """All that is on while the dome draws, and off again before the program could notice."""
+
+    program: int
+    enables: tuple[int, ...]
+    viewport: Rectangle
+    scissored: bool
+
+
+class DomeContext:
+    """The dome's side of one GL context."""
+
+    def __init__(self, options: Options, frame: Frame, driver: Driver) -> None:
+        self.driver = driver
+        self.frame = frame
+        self.lens: Lens = lens_of(*options.lens, options.fov)
+        self.rim = rim_radius(self.lens, options.fov)
+        self.placer = Placer(options)
+        self.scene = SceneState(driver)
+        self.compiling = False
+        """A display list is being compiled: nothing of ours may get into it."""
+        self._options = options
+        self._programs: dict[Recipe, Program] = {}
+        self._bypasses: set[str] = set()
+        self._said: set[str] = set()
+        self._projection_stale = True
+        self._matrix_mode = driver.integer(_MATRIX_MODE)
+        self._viewport: Rectangle = (0, 0, *frame.program_size)
+        self._placement: Placement | None = None
+        self._dressing: _Dressing | None = None
+
+    # What a call changed.
+
+    def viewport_changed(self) -> None:
+        """The next draw asks for the viewport again."""
+        self._projection_stale = True
+
+    def matrix_mode_changed(self, mode: int) -> None:
+        """Calls on the matrix stacks go to this one from now on."""
+        self._matrix_mode = mode
+        self._projection_stale = self._projection_stale or mode == _PROJECTION
+        if mode == _TEXTURE:
+            self.scene.stale.add("textures")
+
+    def anything_changed(self) -> None:
+        """A list or an attribute stack may have changed any state."""
+        self.scene.stale |= GROUPS
+        self._projection_stale = True
+        self._matrix_mode = self.driver.integer(_MATRIX_MODE)
+
+    def perspective_set(self, p: Matrix | None) -> None:
+        """The program is about to multiply or load this perspective onto the current stack."""
+        if p is not None and self._matrix_mode in (_PROJECTION, _MODELVIEW):
+            self.placer.perspective_set(p, on_modelview=self._matrix_mode == _MODELVIEW)
+            self._projection_stale = True
+
+    @property
+    def on_projection(self) -> bool:
+        """The current matrix stack is PROJECTION."""
+        return self._matrix_mode == _PROJECTION
+
+    def bypass(self, reason: str, on: bool) -> None:
+        """While any reason is on, draws go to GL as the program makes them."""
+        (self._bypasses.add if on else self._bypasses.discard)(reason)
+        self.undress()
+
+    def say_once(self, text: str) -> None:
+        """Tell the user on stderr what cannot be done exactly, once."""
+        if text not in self._said:
+            self._said.add(text)
+            print(f"domeshim: {text}", file=sys.stderr)
+
+    # Around the draws.
+
+    def dress(self) -> None:
+        """Make the next draws land on the dome; call before each."""
+        if self.compiling or self._bypasses:
+            return
+        if self._stale:
+            self.undress()
+            self._put_on(self._look())
+        elif self._dressing is None:
+            self._put_on(self._look())
+
+    def undress(self) -> None:
+        """Give GL back to the program just as it left it."""
+        dressing = self._dressing
+        if dressing is None or self.compiling:
+            return
+        self._dressing = None
+        gl = self.driver
+        for capability in dressing.enables:
+            gl.glDisable(capability)
+        if dressing.scissored:
+            gl.glEnable(_SCISSOR_TEST)
+        if dressing.viewport != self._viewport:
+            gl.glViewport(*self._viewport)
+        if dressing.program:
+            gl.glUseProgram(0)
+
+    @property
+    def _stale(self) -> bool:
+        return bool(
+            self._projection_stale
+            or self.scene.stale
+            or self._matrix_mode != _MODELVIEW
+            or self.placer.on_modelview
+        )
+
+    def _look(self) -> tuple[Placement, Scene]:
+        if self._matrix_mode == _TEXTURE:
+            self.scene.stale.add("textures")
+        if self._placement is None or self._projection_stale or self._matrix_mode == _PROJECTION or self.placer.on_modelview:
+            self._placement = self._ask_placement()
+        return self._placement, self.scene.scene()
+
+    def _ask_placement(self) -> Placement:
+        x, y, w, h = self.driver.integers(_VIEWPORT, 4)
+        self._viewport = (x, y, w, h)
+        self._projection_stale = False
+        modelview = self._matrix(_MODELVIEW_MATRIX) if self.placer.on_modelview else None
+        return self.placer.place(self._matrix(_PROJECTION_MATRIX), modelview, self._viewport, self.frame)
+
+    def _matrix(self, name: int) -> Matrix:
+        return np.array(self.driver.doubles(name, 16)).reshape(4, 4).T
+
+    def _put_on(self, look: tuple[Placement, Scene]) -> None:
+        placement, scene = look
+        flat = placement.hud and self._options.hud == "flat"
+        enables: tuple[int, ...]
+        program = 0
+        gl = self.driver
+        if flat:
+            enables, viewport = (), self.frame.flat(self._viewport)
+        else:
+            recipe = self._recipe(placement, scene)
+            enables, viewport = self._enables(recipe, placement), self.frame.square
+            program = self._bind(recipe, placement)
+        for capability in enables:
+            gl.glEnable(capability)
+        scissored = bool(gl.glIsEnabled(_SCISSOR_TEST))
+        if scissored:
+            gl.glDisable(_SCISSOR_TEST)
+            self.say_once("glScissor cannot cut a picture on the dome; draws are left whole")
+        if viewport != self._viewport:
+            gl.glViewport(*viewport)
+        self._dressing = _Dressing(program, enables, viewport, scissored)
+
+    def _recipe(self, placement: Placement, scene: Scene) -> Recipe:
+        paper = self._options.method == "paper" and placement.place != "panel"
+        return Recipe(
+            Mapping(
+                method="paper" if paper else "vertex",
+                lens=self.lens.name,
+                place=placement.place,
+                tilted=self._options.tilt != 0,
+                wide=self._options.fov > 180,
+            ),
+            scene,
+        )
+
+    def _enables(self, recipe: Recipe, placement: Placement) -> tuple[int, ...]:
+        lighting = recipe.scene.lighting
+        wanted = [GL_CLIP_PLANE0 + i for i in recipe.clip_distances]
+        if lighting is not None and lighting.two_sided:
+            wanted.append(_VERTEX_PROGRAM_TWO_SIDE)
+        if lighting is not None and lighting.separate_specular and not recipe.scene.secondary_color:
+            wanted.append(GL_COLOR_SUM)
+        if recipe.scene.point_attenuation:
+            wanted.append(_PROGRAM_POINT_SIZE)
+        if placement.hud and self._options.hud == "off":
+            wanted.append(_RASTERIZER_DISCARD)
+        return tuple(wanted)
+
+    def _bind(self, recipe: Recipe, placement: Placement) -> int:
+        program = self._programs.get(recipe)
+        if program is None:
+            program = self._programs[recipe] = Program(self.driver, compose(recipe))
+        self.driver.glUseProgram(program.name)
+        for name, values in self._uniforms(recipe.mapping, placement):
+            program.set(name, values)
+        return program.name
+
+    def _uniforms(self, mapping: Mapping, placement: Placement) -> list[tuple[str, tuple[float, ...]]]:
+        uniforms = [("domeLens", self.lens.uniform)]
+        if mapping.place != "modelview":
+            uniforms.append(("domeView", placement.view))
+        if mapping.place != "panel" and mapping.method == "vertex":
+            uniforms.append(("domeDepth", placement.depth))
+            if mapping.wide:
+                uniforms.append(("domeRim", (-float(np.cos(np.radians(self._options.fov / 2))),)))
+        if mapping.tilted:
+            tilt = np.radians(self._options.tilt)
+            uniforms.append(("domeTilt", (float(np.cos(tilt)), float(np.sin(tilt)))))
+        return uniforms
+
+
+ContextMaker = Callable[[Options, Frame, Driver], DomeContext]

@@ -1,0 +1,132 @@
+"""Where what is drawn next belongs: on the dome at its true angles, or on the flat panel (DESIGN 2.2).
+
+Matrices are (4, 4) float64, rows by columns.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from domeshim.options import Options
+from domeshim.state.perspective import (
+    Matrix,
+    depth_range,
+    is_perspective,
+    perspective,
+    perspective_part,
+)
+from domeshim.window.frame import Frame, Rectangle
+
+_CAMERA = [0, 1, 3]
+"""The rows of a projection that make x, y and w: all that decides a direction."""
+_REMEMBERED = 8
+
+
+@dataclass(frozen=True)
+class Placement:
+    """How vertices reach the dome's eye space, and how their distance becomes depth."""
+
+    place: Literal["modelview", "view", "panel"]
+    view: tuple[float, ...]
+    """The uniform domeView, column-major; the identity for "modelview"."""
+    depth: tuple[float, float]
+    """The uniform domeDepth."""
+    hud: bool = False
+    """Drawn flat by a program that has a perspective of its own."""
+
+
+_IDENTITY = tuple(np.eye(4).ravel())
+
+
+@dataclass(frozen=True)
+class _View:
+    camera: Matrix
+    """The main view's perspective, filled."""
+    viewport: Rectangle
+
+
+class Placer:
+    """Remembers the perspectives that a program sets, and places its draws by them.
+
+    Nothing of GL's own state is kept: PROJECTION and the viewport are given at each question.
+    """
+
+    def __init__(self, options: Options) -> None:
+        self._options = options
+        self._known: list[Matrix] = []
+        self._main: _View | None = None
+        self.on_modelview = False
+        """A perspective went to the MODELVIEW stack: that matrix must be looked at as well."""
+
+    def perspective_set(self, p: Matrix, *, on_modelview: bool) -> None:
+        """The program multiplied this perspective onto its PROJECTION or MODELVIEW stack."""
+        self._known = [p, *(k for k in self._known if not np.array_equal(k, p))][:_REMEMBERED]
+        self.on_modelview = self.on_modelview or on_modelview
+
+    def place(self, projection: Matrix, modelview: Matrix | None, viewport: Rectangle, frame: Frame) -> Placement:
+        """Where a draw belongs.
+
+        modelview: given where on_modelview asks for it; its perspective counts if projection has none.
+        """
+        if is_perspective(projection):
+            return self._in_perspective(projection, projection, viewport, frame)
+        if modelview is not None and is_perspective(modelview):
+            return self._in_perspective(projection, projection @ modelview, viewport, frame)
+        return self._flat(viewport, frame)
+
+    def _in_perspective(self, projection: Matrix, whole: Matrix, viewport: Rectangle, frame: Frame) -> Placement:
+        if not frame.covers_most(viewport):
+            return self._flat(viewport, frame)
+        p = self._perspective_in(whole)
+        camera = self._filled(p)
+        self._main = _View(camera, viewport)
+        depth = depth_range(p).uniform
+        if whole is projection and camera is p and np.allclose(projection, p, rtol=1e-6, atol=1e-9):
+            return Placement("modelview", _IDENTITY, depth)
+        view = np.zeros((4, 4))
+        view[:3] = np.linalg.solve(camera[_CAMERA, :3], projection[_CAMERA])
+        view[3] = [0, 0, 0, 1] if whole is projection else np.linalg.solve(p.T, [0, 0, 0, 1]) @ projection
+        return Placement("view", tuple(view.T.ravel()), depth)
+
+    def _perspective_in(self, whole: Matrix) -> Matrix:
+        """The program's own P inside a matrix: one that leaves a rigid motion, else the one set last."""
+        for p in self._known:
+            if _is_rigid(np.linalg.solve(p[_CAMERA, :3], whole[_CAMERA, :3])):
+                return p
+        return self._known[0] if self._known else perspective_part(whole)
+
+    def _filled(self, p: Matrix) -> Matrix:
+        """P with its vertical view widened or narrowed to DOME_FILL degrees."""
+        if self._options.fill is None:
+            return p
+        scale = 1 / (abs(p[1, 1] / p[3, 2]) * np.tan(np.radians(self._options.fill) / 2))
+        return np.diag([scale, scale, 1.0, 1.0]) @ p
+
+    def _flat(self, viewport: Rectangle, frame: Frame) -> Placement:
+        main = self._main or self._default_view(frame)
+        x, y, w, h = viewport
+        mx, my, mw, mh = main.viewport
+        window = np.array(
+            [
+                [w / mw, 0, 0, (2 * (x - mx) + w) / mw - 1],
+                [0, h / mh, 0, (2 * (y - my) + h) / mh - 1],
+                [0, 0, 0, 1],
+            ]
+        )
+        view = np.zeros((4, 4))
+        view[:3] = np.linalg.solve(main.camera[_CAMERA, :3], window)
+        view[3, 3] = 1
+        return Placement("panel", tuple(view.T.ravel()), (0.0, 0.0), hud=self._main is not None)
+
+    def _default_view(self, frame: Frame) -> _View:
+        width, height = frame.program_size
+        p = perspective(self._options.panel, width / height, 1.0, 10.0)
+        assert p is not None
+        return _View(p, (0, 0, width, height))
+
+
+def _is_rigid(turn: Matrix) -> bool:
+    return bool(np.abs(turn @ turn.T - np.eye(3)).max() < 1e-4)
