@@ -1,0 +1,304 @@
+"""Windows on a display, through glfw."""
+
+from __future__ import annotations
+
+import re
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from typing import Any
+
+import glfw
+from OpenGL import GL
+from OpenGL.platform import PLATFORM
+
+from domeshim.errors import ScreenError
+from domeshim.window.contract import Backend, SurfaceFormat, Window, WindowEvents
+
+_CURSORS = {
+    "arrow": glfw.ARROW_CURSOR,
+    "ibeam": glfw.IBEAM_CURSOR,
+    "crosshair": glfw.CROSSHAIR_CURSOR,
+    "hand": glfw.HAND_CURSOR,
+    "hresize": glfw.HRESIZE_CURSOR,
+    "vresize": glfw.VRESIZE_CURSOR,
+}
+
+
+class ScreenBackend(Backend):
+    """Opens windows on the display. X11 is tried before Wayland, which can place no window."""
+
+    name = "screen"
+
+    def __init__(self) -> None:
+        """Connect to the display.
+
+        Raises ScreenError where there is none.
+        """
+        failures = []
+        for platform in (glfw.PLATFORM_X11, glfw.PLATFORM_WAYLAND, glfw.ANY_PLATFORM):
+            with _complaints() as said:
+                glfw.init_hint(glfw.PLATFORM, platform)
+                if glfw.init():
+                    self._windows: list[ScreenWindow] = []
+                    return
+            failures += [words for words in said if words not in failures]
+        raise ScreenError(
+            f"no display to open a window on ({'; '.join(failures)}): set DISPLAY or WAYLAND_DISPLAY, "
+            "or use `domeshim capture` to write pictures without a display"
+        )
+
+    def open_window(
+        self,
+        title: str,
+        size: tuple[int, int],
+        position: tuple[int, int] | None,
+        surface: SurfaceFormat,
+        events: WindowEvents,
+        share: Window | None = None,
+    ) -> Window:
+        """Open a window, with fewer samples or two colour buffers where the driver has nothing nearer.
+
+        Raises ScreenError with glfw's words where it has nothing at all.
+        """
+        said: list[str] = []
+        for attempt, really_double in _attempts(surface):
+            with _complaints() as said:
+                handle = _create(title, size, attempt, really_double, share)
+            if handle:
+                window = ScreenWindow(handle, attempt, events)
+                self._windows.append(window)
+                if position is not None:
+                    window.move(*position)
+                return window
+        raise ScreenError(f"no window could be opened: {'; '.join(said)}")
+
+    def poll(self, timeout: float) -> None:
+        """Deliver what happened; wait at most timeout seconds for something."""
+        if timeout > 0:
+            glfw.wait_events_timeout(timeout)
+        else:
+            glfw.poll_events()
+
+    @property
+    def screen_size(self) -> tuple[int, int]:
+        """Width and height of the main display in pixels."""
+        return _monitor_size(glfw.get_primary_monitor())
+
+    @property
+    def screen_size_mm(self) -> tuple[int, int]:
+        """Width and height of the main display in millimetres; 0 where it does not say."""
+        monitor = glfw.get_primary_monitor()
+        width, height = glfw.get_monitor_physical_size(monitor) if monitor else (0, 0)
+        return int(width), int(height)
+
+    def close(self) -> None:
+        """Close all windows and leave the display."""
+        for window in self._windows:
+            window.close()
+        self._windows.clear()
+        glfw.terminate()
+
+
+class ScreenWindow(Window):
+    """One glfw window.
+
+    A single-buffered format gets a single-buffered context where the driver has one; elsewhere the front
+    buffer of a double-buffered one is drawn to and read from, which shows just as directly.
+    """
+
+    def __init__(self, handle: Any, surface: SurfaceFormat, events: WindowEvents) -> None:
+        self.handle = handle
+        self.events = events
+        self._windowed: tuple[int, int, int, int] | None = None
+        self._listen()
+        self.make_current()
+        self.format = replace(surface, samples=int(GL.glGetIntegerv(GL.GL_SAMPLES)))
+        if not surface.double_buffer and GL.glGetBooleanv(GL.GL_DOUBLEBUFFER):
+            GL.glDrawBuffer(GL.GL_FRONT)
+            GL.glReadBuffer(GL.GL_FRONT)
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Width and height of the frame buffer in pixels."""
+        width, height = glfw.get_framebuffer_size(self.handle)
+        return int(width), int(height)
+
+    @property
+    def position(self) -> tuple[int, int]:
+        """The content's top left corner on the screen; (0, 0) where the display does not tell (Wayland)."""
+        with _complaints():
+            x, y = glfw.get_window_pos(self.handle)
+        return int(x), int(y)
+
+    def make_current(self) -> None:
+        """Direct the GL calls of this thread to this window."""
+        glfw.make_context_current(self.handle)
+
+    def swap_buffers(self) -> None:
+        """Show what was drawn; a single-buffered window is flushed, which shows it."""
+        if self.format.double_buffer:
+            glfw.swap_buffers(self.handle)
+        else:
+            GL.glFinish()
+
+    def resize(self, width: int, height: int) -> None:
+        """Ask the window manager for that size."""
+        glfw.set_window_size(self.handle, width, height)
+
+    def move(self, x: int, y: int) -> None:
+        """Put the content's top left corner there; Wayland ignores it."""
+        with _complaints():
+            glfw.set_window_pos(self.handle, x, y)
+
+    def set_title(self, title: str) -> None:
+        """Name the window."""
+        glfw.set_window_title(self.handle, title)
+
+    def set_visible(self, visible: bool) -> None:
+        """Show or hide the window."""
+        (glfw.show_window if visible else glfw.hide_window)(self.handle)
+        self.events.visibility_changed(visible)
+
+    def iconify(self) -> None:
+        """Shrink the window to an icon."""
+        glfw.iconify_window(self.handle)
+
+    def set_full_screen(self, full: bool, display: int = 0) -> None:
+        """Cover the display of that number, or go back to the former size and place.
+
+        Raises ScreenError where there is no display of that number.
+        """
+        if not full:
+            if self._windowed is not None:
+                glfw.set_window_monitor(self.handle, None, *self._windowed, glfw.DONT_CARE)
+                self._windowed = None
+            return
+        monitors = glfw.get_monitors()
+        if not 0 <= display < len(monitors):
+            raise ScreenError(f"there is no display {display}: this machine has {len(monitors)}, counted from 0")
+        if self._windowed is None:
+            self._windowed = (*self.position, *glfw.get_window_size(self.handle))
+        mode = glfw.get_video_mode(monitors[display])
+        glfw.set_window_monitor(
+            self.handle, monitors[display], 0, 0, mode.size.width, mode.size.height, mode.refresh_rate
+        )
+
+    def set_cursor(self, shape: str) -> None:
+        """Show one of the contract's shapes."""
+        if shape == "none":
+            glfw.set_input_mode(self.handle, glfw.CURSOR, glfw.CURSOR_HIDDEN)
+            return
+        glfw.set_input_mode(self.handle, glfw.CURSOR, glfw.CURSOR_NORMAL)
+        glfw.set_cursor(self.handle, glfw.create_standard_cursor(_CURSORS[shape]))
+
+    def warp_pointer(self, x: float, y: float) -> None:
+        """Put the pointer at (x, y) of the window."""
+        scale_x, scale_y = self._scale()
+        glfw.set_cursor_pos(self.handle, x / scale_x, y / scale_y)
+
+    def close(self) -> None:
+        """Destroy the window and its context; safe to call twice."""
+        if self.handle is not None:
+            glfw.destroy_window(self.handle)
+            self.handle = None
+
+    def _scale(self) -> tuple[float, float]:
+        """Return how many pixels one of the screen's units is; not 1 on some high-density displays."""
+        wide, high = glfw.get_window_size(self.handle)
+        width, height = self.size
+        return (width / wide, height / high) if wide and high else (1.0, 1.0)
+
+    def _listen(self) -> None:
+        """Pass glfw's events on as the contract's."""
+        handle = self.handle
+        glfw.set_framebuffer_size_callback(handle, lambda _, width, height: self.events.resized(width, height))
+        glfw.set_window_refresh_callback(handle, lambda _: self.events.exposed())
+        glfw.set_window_close_callback(handle, self._close_asked)
+        glfw.set_window_pos_callback(handle, lambda _, x, y: self.events.moved(x, y))
+        glfw.set_window_iconify_callback(handle, lambda _, icon: self.events.visibility_changed(not icon))
+        glfw.set_key_callback(handle, self._key)
+        glfw.set_char_callback(handle, lambda _, codepoint: self.events.character(codepoint))
+        glfw.set_cursor_pos_callback(handle, self._pointer)
+        glfw.set_cursor_enter_callback(handle, lambda _, inside: self.events.pointer_entered(bool(inside)))
+        glfw.set_mouse_button_callback(handle, self._button)
+        glfw.set_scroll_callback(handle, lambda _, dx, dy: self.events.wheel(dx, dy))
+
+    def _close_asked(self, handle: Any) -> None:
+        glfw.set_window_should_close(handle, False)
+        self.events.close_asked()
+
+    def _key(self, _: Any, key: int, scancode: int, action: int, modifiers: int) -> None:
+        # glfw numbers keys by their place on a US keyboard; a letter shall go by what is written on it.
+        name = glfw.get_key_name(key, scancode) if glfw.KEY_A <= key <= glfw.KEY_Z else None
+        if name and len(name) == 1 and name.isascii():
+            key = ord(name.upper())
+        self.events.key(key, action != glfw.RELEASE, modifiers)
+
+    def _pointer(self, _: Any, x: float, y: float) -> None:
+        scale_x, scale_y = self._scale()
+        self.events.pointer_moved(x * scale_x, y * scale_y)
+
+    def _button(self, _: Any, button: int, action: int, modifiers: int) -> None:
+        self.events.button(button, action == glfw.PRESS, modifiers)
+
+
+def _attempts(wanted: SurfaceFormat) -> Iterator[tuple[SurfaceFormat, bool]]:
+    """Yield formats from the wish downwards, each with whether the context shall have two colour buffers."""
+    samples = wanted.samples
+    while True:
+        attempt = replace(wanted, samples=samples)
+        yield attempt, wanted.double_buffer
+        if not wanted.double_buffer:
+            yield attempt, True
+        if samples == 0:
+            return
+        samples = samples // 2 if samples > 2 else 0
+
+
+def _create(title: str, size: tuple[int, int], surface: SurfaceFormat, double: bool, share: Window | None) -> Any:
+    glfw.default_window_hints()
+    # PyOpenGL asks its own platform which context is current: glfw must make it through the same one.
+    through_egl = type(PLATFORM).__name__ == "EGLPlatform"
+    hints = {
+        glfw.CONTEXT_CREATION_API: glfw.EGL_CONTEXT_API if through_egl else glfw.NATIVE_CONTEXT_API,
+        glfw.SCALE_TO_MONITOR: False,
+        glfw.SCALE_FRAMEBUFFER: False,
+        glfw.DOUBLEBUFFER: double,
+        glfw.DEPTH_BITS: 24 if surface.depth else 0,
+        glfw.STENCIL_BITS: 8 if surface.stencil else 0,
+        glfw.ALPHA_BITS: 8 if surface.alpha else 0,
+        glfw.STEREO: surface.stereo,
+        glfw.SAMPLES: surface.samples,
+    }
+    if surface.accumulation:
+        accumulation = (glfw.ACCUM_RED_BITS, glfw.ACCUM_GREEN_BITS, glfw.ACCUM_BLUE_BITS, glfw.ACCUM_ALPHA_BITS)
+        hints |= dict.fromkeys(accumulation, 16)
+    for hint, value in hints.items():
+        glfw.window_hint(hint, int(value))
+    shared = share.handle if isinstance(share, ScreenWindow) else None
+    return glfw.create_window(*size, title, None, shared)
+
+
+def _monitor_size(monitor: Any) -> tuple[int, int]:
+    if not monitor:
+        return 0, 0
+    mode = glfw.get_video_mode(monitor)
+    return int(mode.size.width), int(mode.size.height)
+
+
+@contextmanager
+def _complaints() -> Iterator[list[str]]:
+    """Collect what glfw warns of, in its own words, instead of letting it reach the user."""
+    said: list[str] = []
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        yield said
+    said += [_words(str(warning.message)) for warning in caught]
+
+
+def _words(warning: str) -> str:
+    """Return glfw's own sentence from a warning such as "(65550) b'X11: Failed to open display'"."""
+    found = re.fullmatch(r"\(\d+\) b(['\"])(.*)\1", warning)
+    return found[2] if found else warning
