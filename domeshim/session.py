@@ -12,13 +12,14 @@ from domeshim.options import Options
 from domeshim.window.clock import Clock, RealClock
 
 if TYPE_CHECKING:
+    from domeshim.startup import Installation
     from domeshim.window.contract import Backend, BackendFactory, Window
 
 
 class Dome(Protocol):
     """What the intercepted GL offers to the session while the dome is on."""
 
-    def window_opened(self, window: Window, program_size: tuple[int, int], display: int) -> None:
+    def window_opened(self, window: Window, program_size: tuple[int, int]) -> None:
         """A window's context was made and is current."""
 
     def window_current(self, window: Window | None) -> None:
@@ -61,6 +62,7 @@ class Session:
         self.window_size = window_size
         """The window's size in pixels whatever the program asks for, or None."""
         self.dome: Dome | None = None
+        self.installation: Installation | None = None
         self.listeners: list[FrameListener] = []
         self.frames = 0
         self._backend_factory = backend
@@ -88,7 +90,7 @@ class Session:
         """A window was opened and made current; the program believes in program_size, (width, height)."""
         self._window = window
         if self.dome is not None:
-            self.dome.window_opened(window, program_size, self.options.display or 0)
+            self.dome.window_opened(window, program_size)
 
     def window_current(self, window: Window | None) -> None:
         """The program's GL calls go to this window from now on."""

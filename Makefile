@@ -1,0 +1,57 @@
+# make demo: see the dome. make test: all checks. Both make .venv on the way; PYTHON chooses its interpreter.
+
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+DEMO := demos/teapots.py
+PICTURES := pictures
+DEBIAN := libegl1 libgl1-mesa-dri libglx-mesa0 libglu1-mesa libglut3.12 xvfb xauth xdotool
+
+.PHONY: demo test check-style debian clean
+
+demo: $(VENV)/installed
+	@if [ -n "$$DISPLAY$$WAYLAND_DISPLAY" ]; then \
+		DOME=1 $(BIN)/python $(DEMO); \
+	else \
+		$(BIN)/domeshim capture --mode monitor --output $(PICTURES)/monitor.png $(DEMO) && \
+		$(BIN)/domeshim capture --mode dome --output $(PICTURES)/dome.png $(DEMO) && \
+		echo "No display here: the pictures are $(PICTURES)/monitor.png and $(PICTURES)/dome.png"; \
+	fi
+
+test: $(VENV)/developed debian check-style
+	$(BIN)/python -m pytest
+
+check-style: $(VENV)/developed
+	$(BIN)/ruff check .
+	$(BIN)/mypy
+
+# The two stamps: installed holds for users and developers alike, developed has the tools as well.
+$(VENV)/installed: pyproject.toml | $(VENV)/bin/python
+	[ -e $(VENV)/developed ] || $(BIN)/pip install --quiet .
+	touch $@
+
+$(VENV)/developed: pyproject.toml domeshim.pth domeshim.start _domeshim_gate.py | $(VENV)/bin/python
+	$(BIN)/pip install --quiet --editable . --group dev
+	touch $@
+
+# pip knows dependency groups from 25.1 on.
+$(VENV)/bin/python:
+	$(PYTHON) -m venv $(VENV)
+	$(BIN)/pip install --quiet --upgrade "pip>=25.1"
+
+# What the tests need of the system: a GL without a display, and one with a display of its own.
+debian:
+	@command -v dpkg-query >/dev/null || exit 0; \
+	missing=; for package in $(DEBIAN); do \
+		dpkg-query -W -f '$${Status}' $$package 2>/dev/null | grep -q 'ok installed' || missing="$$missing $$package"; \
+	done; \
+	[ -z "$$missing" ] && exit 0; \
+	if [ "$$(id -u)" = 0 ]; then \
+		apt-get update -qq && apt-get install -qq -y --no-install-recommends $$missing; \
+	else \
+		echo "Please install what the tests need: sudo apt-get install$$missing" >&2; exit 1; \
+	fi
+
+clean:
+	rm -rf $(VENV) $(PICTURES) build dist .mypy_cache .pytest_cache .ruff_cache .hypothesis
+	find . -name __pycache__ -type d -prune -exec rm -rf {} +

@@ -1,0 +1,83 @@
+"""Reads a window's picture back, and leaves the context as it was.
+
+The calls go to the driver's library itself: PyOpenGL's own would look for errors after each, and so take away
+one that the program has yet to ask for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from ctypes import byref, c_float, c_int, create_string_buffer
+from typing import Any
+
+GL_BACK, GL_RGB, GL_UNSIGNED_BYTE, GL_PACK_ALIGNMENT = 0x0405, 0x1907, 0x1401, 0x0D05
+READ_BUFFER = 0x0C02
+READ_FRAMEBUFFER, READ_FRAMEBUFFER_BINDING = 0x8CA8, 0x8CAA
+PIXEL_PACK_BUFFER, PIXEL_PACK_BUFFER_BINDING = 0x88EB, 0x88ED
+PACK_LAYOUT = {
+    0x0D00: 0,  # swap bytes
+    0x0D01: 0,  # least significant bit first
+    0x0D02: 0,  # row length
+    0x0D03: 0,  # skip rows
+    0x0D04: 0,  # skip pixels
+    GL_PACK_ALIGNMENT: 1,
+}
+TRANSFER = {
+    0x0D10: 0.0,  # map colour
+    0x0D14: 1.0,  # red scale
+    0x0D15: 0.0,  # red bias
+    0x0D18: 1.0,  # green scale
+    0x0D19: 0.0,  # green bias
+    0x0D1A: 1.0,  # blue scale
+    0x0D1B: 0.0,  # blue bias
+}
+
+
+def read_pixels(width: int, height: int) -> bytes:
+    """The current window's back buffer: height rows of width RGB pixels, a byte each, the top row first."""
+    from OpenGL.platform import PLATFORM  # noqa: PLC0415 - the program may still set PyOpenGL's flags
+
+    gl = PLATFORM.GL
+    pixels = create_string_buffer(3 * width * height)
+    with _plain_reading(gl):
+        gl.glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, pixels)
+    row = 3 * width
+    return b"".join(pixels.raw[start : start + row] for start in range(row * (height - 1), -1, -row))
+
+
+@contextmanager
+def _plain_reading(gl: Any) -> Iterator[None]:
+    """Reading goes from the window to memory, tightly packed and unchanged, while this lasts."""
+    restore = []
+
+    def put(setter: Any, name: int, former: Any, wanted: Any) -> None:
+        # Only what differs is touched: some of these calls would end up in a display list that is being made.
+        if former.value != wanted.value:
+            restore.append((setter, name, former))
+            setter(name, wanted)
+
+    put(gl.glBindBuffer, PIXEL_PACK_BUFFER, _integer(gl, PIXEL_PACK_BUFFER_BINDING), c_int(0))
+    put(gl.glBindFramebuffer, READ_FRAMEBUFFER, _integer(gl, READ_FRAMEBUFFER_BINDING), c_int(0))
+    put(lambda _, buffer: gl.glReadBuffer(buffer), 0, _integer(gl, READ_BUFFER), c_int(GL_BACK))
+    for name, plain in PACK_LAYOUT.items():
+        put(gl.glPixelStorei, name, _integer(gl, name), c_int(plain))
+    for name, scale in TRANSFER.items():
+        put(gl.glPixelTransferf, name, _number(gl, name), c_float(scale))
+    try:
+        yield
+    finally:
+        for setter, name, former in reversed(restore):
+            setter(name, former)
+
+
+def _integer(gl: Any, name: int) -> c_int:
+    value = c_int()
+    gl.glGetIntegerv(name, byref(value))
+    return value
+
+
+def _number(gl: Any, name: int) -> c_float:
+    value = c_float()
+    gl.glGetFloatv(name, byref(value))
+    return value
