@@ -12,6 +12,7 @@ from domeshim.options import Options
 from domeshim.window.clock import Clock, RealClock
 
 if TYPE_CHECKING:
+    from domeshim.GLUT.state import GlutState
     from domeshim.startup import Installation
     from domeshim.window.contract import Backend, BackendFactory, Window
 
@@ -64,6 +65,7 @@ class Session:
         self.dome: Dome | None = None
         self.installation: Installation | None = None
         self.listeners: list[FrameListener] = []
+        self.glut: GlutState | None = None
         self.frames = 0
         self._backend_factory = backend
         self._backend: Backend | None = None

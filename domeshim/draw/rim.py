@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from domeshim.driver import Driver
-from domeshim.shading.compose import VERSION, Source
+from domeshim.shading.compose import Source
 from domeshim.shading.program import Program
 from domeshim.shading.snippets import snippet
 from domeshim.window.frame import Frame
@@ -25,7 +25,7 @@ _FRONT_AND_BACK, _FILL, _TRIANGLES = 0x0408, 0x1B02, 0x0004
 
 
 def _source(name: str) -> Source:
-    return Source(f"{VERSION}\n#line 1 1\n{snippet(name)}", ("main", name))
+    return Source.join([(name, snippet(name))])
 
 
 class Rim:

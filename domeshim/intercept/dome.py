@@ -1,4 +1,4 @@
-"""The dome as the session sees it: one DomeContext a window, and the current one for the intercepted calls."""
+"""The dome as the session sees it: one DomeContext a window, and the one that calls go to now."""
 
 from __future__ import annotations
 

@@ -25,7 +25,8 @@ def disc_of(directions: Floats, lens: Lens, tilt: float = 0.0) -> Floats:
     phi = np.arctan2(rxy, -d[..., 2])
     with np.errstate(invalid="ignore", divide="ignore"):
         factor = np.where(rxy > 0, lens.radius(phi) / rxy, 0.0)
-    return d[..., :2] * factor[..., None]
+    disc: Floats = d[..., :2] * factor[..., None]
+    return disc
 
 
 def direction_of(disc: Floats, lens: Lens, tilt: float = 0.0) -> Floats:

@@ -6,7 +6,7 @@ in the order in which the values come into being.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
 from domeshim.shading.recipe import ColorMaterial, Light, Lighting, Mapping, Recipe, Scene, Texture
@@ -17,10 +17,25 @@ VERSION = "#version 150 compatibility"
 
 @dataclass(frozen=True)
 class Source:
-    """A shader's text, and the snippet behind each source number of its #line directives."""
+    """A shader's text, and which snippet each stretch of its lines comes from."""
 
     text: str
-    files: tuple[str, ...]
+    parts: tuple[tuple[int, str], ...]
+    """(first line, snippet), rising; the snippet's own line 1 is that line of the text, counted from 1."""
+
+    @classmethod
+    def join(cls, parts: Iterable[tuple[str, str]]) -> Source:
+        """Put named parts, (snippet, text), below each other, under the version line."""
+        lines, starts = [VERSION], []
+        for name, text in parts:
+            starts.append((len(lines) + 1, name))
+            lines += text.rstrip("\n").split("\n")
+        return cls("\n".join(lines) + "\n", tuple(starts))
+
+    def place(self, line: int) -> str:
+        """The snippet and its own line behind a line of the text, as in lens/equidistant.glsl:4."""
+        first, name = max((part for part in self.parts if part[0] <= line), default=(1, "version"))
+        return f"{name}.glsl:{line - first + 1}"
 
 
 @dataclass
@@ -54,11 +69,8 @@ def compose(recipe: Recipe) -> Source:
 
 
 def _write(draft: _Draft) -> Source:
-    lines = [VERSION]
-    for number, name in enumerate(draft.snippets, start=1):
-        lines += [f"#line 1 {number}", snippet(name).rstrip("\n")]
-    lines += ["#line 1 0", "void main() {", *(f"    {s}" for s in draft.statements), "}", ""]
-    return Source("\n".join(lines), ("main", *draft.snippets))
+    main = "\n".join(["void main() {", *(f"    {s}" for s in draft.statements), "}"])
+    return Source.join([*((name, snippet(name)) for name in draft.snippets), ("main", main)])
 
 
 def _position(draft: _Draft, recipe: Recipe) -> None:
@@ -77,7 +89,9 @@ def _position(draft: _Draft, recipe: Recipe) -> None:
     else:
         draft.need("bend/vertex")
         draft.need("clip/cone" if mapping.wide else "clip/behind")
-        draft.add("gl_Position = bent(place);", f"gl_ClipDistance[{recipe.clip_distances[0]}] = inFront(place);")
+        draft.add(
+            "gl_Position = bent(place);", f"gl_ClipDistance[{recipe.clip_distances[0]}] = inFront(place);"
+        )
 
 
 def _panel_position(draft: _Draft, recipe: Recipe) -> None:
@@ -88,7 +102,12 @@ def _panel_position(draft: _Draft, recipe: Recipe) -> None:
         "gl_Position = bent(place, clip.z / clip.w);",
         "vec4 inside = insideViewport(clip);",
     )
-    draft.add(*(f"gl_ClipDistance[{k}] = inside.{axis};" for k, axis in zip(recipe.clip_distances, "xyzw", strict=False)))
+    draft.add(
+        *(
+            f"gl_ClipDistance[{k}] = inside.{axis};"
+            for k, axis in zip(recipe.clip_distances, "xyzw", strict=False)
+        )
+    )
 
 
 def _clip_planes(draft: _Draft, scene: Scene) -> None:
@@ -161,7 +180,9 @@ def _texture(draft: _Draft, texture: Texture) -> None:
         if generated in ("sphere", "reflection"):
             draft.need(f"texture/{generated}")
         draft.add(f"texture{u}.{axis} = " + _TEXGEN[generated].format(C=axis.upper(), c=axis, u=u) + ";")
-    draft.add(f"gl_TexCoord[{u}] = " + (f"gl_TextureMatrix[{u}] * " if texture.matrix else "") + f"texture{u};")
+    draft.add(
+        f"gl_TexCoord[{u}] = " + (f"gl_TextureMatrix[{u}] * " if texture.matrix else "") + f"texture{u};"
+    )
 
 
 def _fog(draft: _Draft, recipe: Recipe) -> None:
@@ -173,5 +194,5 @@ def _fog(draft: _Draft, recipe: Recipe) -> None:
 
 
 def _true_eye(mapping: Mapping) -> bool:
-    """The program's MODELVIEW space is the viewer's own, so that a length in it is a distance from the viewer."""
+    """A length in the program's MODELVIEW space is a distance from the viewer."""
     return mapping.place == "modelview"

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 _VERTEX, _FRAGMENT = 0x8B31, 0x8B30
 _COMPILE_STATUS, _LINK_STATUS, _INFO_LOG_LENGTH = 0x8B81, 0x8B82, 0x8B84
-_PLACE_IN_LOG = re.compile(r"\b(\d+)(?::(\d+)|\((\d+)\))")
+_PLACE_IN_LOG = re.compile(r"\b0(?::(\d+)|\((\d+)\))")
 
 
 class Program:
@@ -52,7 +52,9 @@ class Program:
         self._sent[uniform] = wanted
         location = self._locations.get(uniform)
         if location is None:
-            location = self._locations[uniform] = self._driver.glGetUniformLocation(self.name, uniform.encode())
+            location = self._locations[uniform] = self._driver.glGetUniformLocation(
+                self.name, uniform.encode()
+            )
         data = (c_float * len(wanted))(*wanted)
         match len(wanted):
             case 2:
@@ -66,16 +68,8 @@ class Program:
 
 
 def explain(log: str, source: Source) -> str:
-    """A driver's log with its "source:line" places named by our files.
-
-    Mesa writes 2:7(5), NVIDIA 2(7); the first number is that of a #line directive.
-    """
-
-    def named(match: re.Match[str]) -> str:
-        number, line = int(match[1]), match[2] or match[3]
-        return f"{source.files[number]}.glsl:{line}" if number < len(source.files) else match[0]
-
-    return _PLACE_IN_LOG.sub(named, log)
+    """A driver's log with its places named by our files; Mesa writes 0:7(5), NVIDIA 0(7)."""
+    return _PLACE_IN_LOG.sub(lambda match: source.place(int(match[1] or match[2])), log)
 
 
 def _compile(driver: Driver, stage: int, source: Source) -> int:

@@ -42,7 +42,7 @@ class Lighting:
 
 @dataclass(frozen=True)
 class Texture:
-    """One enabled texture unit: what makes each of s, t, r, q (None: the vertex's own), and a matrix or none."""
+    """One enabled texture unit: what makes each of s, t, r, q (None: the vertex's own), and a matrix."""
 
     unit: int
     generated: tuple[Texgen | None, Texgen | None, Texgen | None, Texgen | None] = (None, None, None, None)
@@ -83,7 +83,7 @@ class Recipe:
 
     @property
     def clip_distances(self) -> tuple[int, ...]:
-        """The clip distances that the mapping itself takes: the highest numbers that the program leaves free."""
+        """The clip distances of the mapping itself: the lowest numbers that the program leaves free."""
         wanted = 0 if self.mapping.method == "paper" else 4 if self.mapping.place == "panel" else 1
         free = [i for i in range(8) if i not in self.scene.clip_planes]
         return tuple(free[:wanted])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
+from functools import cache
 from pathlib import Path
 
 
@@ -13,7 +13,7 @@ def glsl_folder() -> Path:
     return installed if installed.is_dir() else package.parent / "glsl"
 
 
-@lru_cache(maxsize=None)
+@cache
 def snippet(name: str) -> str:
     """The text of one snippet by its name, as in "lens/equidistant"."""
     return (glsl_folder() / f"{name}.glsl").read_text(encoding="utf-8")

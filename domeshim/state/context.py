@@ -142,7 +142,12 @@ class DomeContext:
     def _look(self) -> tuple[Placement, Scene]:
         if self._matrix_mode == _TEXTURE:
             self.scene.stale.add("textures")
-        if self._placement is None or self._projection_stale or self._matrix_mode == _PROJECTION or self.placer.on_modelview:
+        if (
+            self._placement is None
+            or self._projection_stale
+            or self._matrix_mode == _PROJECTION
+            or self.placer.on_modelview
+        ):
             self._placement = self._ask_placement()
         return self._placement, self.scene.scene()
 

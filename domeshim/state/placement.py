@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from domeshim.options import Options
 from domeshim.state.perspective import (
@@ -66,7 +67,9 @@ class Placer:
         self._known = [p, *(k for k in self._known if not np.array_equal(k, p))][:_REMEMBERED]
         self.on_modelview = self.on_modelview or on_modelview
 
-    def place(self, projection: Matrix, modelview: Matrix | None, viewport: Rectangle, frame: Frame) -> Placement:
+    def place(
+        self, projection: Matrix, modelview: Matrix | None, viewport: Rectangle, frame: Frame
+    ) -> Placement:
         """Where a draw belongs.
 
         modelview: given where on_modelview asks for it; its perspective counts if projection has none.
@@ -77,7 +80,9 @@ class Placer:
             return self._in_perspective(projection, projection @ modelview, viewport, frame)
         return self._flat(viewport, frame)
 
-    def _in_perspective(self, projection: Matrix, whole: Matrix, viewport: Rectangle, frame: Frame) -> Placement:
+    def _in_perspective(
+        self, projection: Matrix, whole: Matrix, viewport: Rectangle, frame: Frame
+    ) -> Placement:
         if not frame.covers_most(viewport):
             return self._flat(viewport, frame)
         p = self._perspective_in(whole)
@@ -128,5 +133,5 @@ class Placer:
         return _View(p, (0, 0, width, height))
 
 
-def _is_rigid(turn: Matrix) -> bool:
+def _is_rigid(turn: NDArray[np.floating]) -> bool:
     return bool(np.abs(turn @ turn.T - np.eye(3)).max() < 1e-4)

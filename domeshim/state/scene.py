@@ -47,7 +47,13 @@ _FOLLOWS: dict[int, tuple[Literal["ambient", "diffuse", "specular", "emission"],
     0x1600: ("emission",),
     0x1602: ("ambient", "diffuse"),
 }
-_TEXGENS: dict[int, Texgen] = {0x2401: "object", 0x2400: "eye", 0x2402: "sphere", 0x8512: "reflection", 0x8511: "normal"}
+_TEXGENS: dict[int, Texgen] = {
+    0x2401: "object",
+    0x2400: "eye",
+    0x2402: "sphere",
+    0x8512: "reflection",
+    0x8511: "normal",
+}
 _IDENTITY = (1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0)
 
 
@@ -86,7 +92,11 @@ class SceneState:
     def _ask_lighting(self) -> None:
         gl = self._driver
         self._normals = (
-            "unit" if gl.glIsEnabled(GL_NORMALIZE) else "rescaled" if gl.glIsEnabled(GL_RESCALE_NORMAL) else "plain"
+            "unit"
+            if gl.glIsEnabled(GL_NORMALIZE)
+            else "rescaled"
+            if gl.glIsEnabled(GL_RESCALE_NORMAL)
+            else "plain"
         )
         if not gl.glIsEnabled(GL_LIGHTING):
             self._lighting = None
@@ -109,7 +119,8 @@ class SceneState:
 
     def _color_material(self) -> ColorMaterial:
         return ColorMaterial(
-            _FACES[self._driver.integer(_COLOR_MATERIAL_FACE)], _FOLLOWS[self._driver.integer(_COLOR_MATERIAL_PARAMETER)]
+            _FACES[self._driver.integer(_COLOR_MATERIAL_FACE)],
+            _FOLLOWS[self._driver.integer(_COLOR_MATERIAL_PARAMETER)],
         )
 
     def _ask_textures(self) -> tuple[Texture, ...]:
