@@ -25,14 +25,16 @@ check-style: $(VENV)/developed
 	$(BIN)/ruff check .
 	$(BIN)/mypy
 
-# The two stamps: installed holds for users and developers alike, developed has the tools as well.
-$(VENV)/installed: pyproject.toml | $(VENV)/bin/python
-	[ -e $(VENV)/developed ] || $(BIN)/pip install --quiet .
+# Installed editable, so the stamps go stale only with what an installation copies.
+COPIED := pyproject.toml domeshim.pth domeshim.start _domeshim_gate.py
+
+$(VENV)/installed: $(COPIED) | $(VENV)/bin/python
+	$(BIN)/pip install --quiet --editable .
 	touch $@
 
-$(VENV)/developed: pyproject.toml domeshim.pth domeshim.start _domeshim_gate.py | $(VENV)/bin/python
+$(VENV)/developed: $(COPIED) | $(VENV)/bin/python
 	$(BIN)/pip install --quiet --editable . --group dev
-	touch $@
+	touch $@ $(VENV)/installed
 
 # pip knows dependency groups from 25.1 on.
 $(VENV)/bin/python:

@@ -7,11 +7,15 @@ Older Pythons come here through domeshim.pth, Python 3.15 and later through dome
 import os
 import sys
 
+_tried = False
+
 
 def arm() -> None:
-    """Arm domeshim if DOME asks for it; a broken installation costs one line on stderr, never the start."""
-    if os.environ.get("DOME", "").strip() in ("", "0"):
+    """Arm domeshim, once, if DOME asks for it; if that fails, say so in one line on stderr and go on."""
+    global _tried  # noqa: PLW0603 - Python reads the hook of a virtual environment twice
+    if _tried or os.environ.get("DOME", "").strip() in ("", "0"):
         return
+    _tried = True
     try:
         from domeshim.startup import arm_at_start  # noqa: PLC0415 - nothing of domeshim unless asked for
 

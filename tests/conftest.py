@@ -1,0 +1,23 @@
+"""All tests draw off screen, and none may leave a GL error behind."""
+
+from __future__ import annotations
+
+import os
+
+os.environ["PYOPENGL_PLATFORM"] = "egl"  # before any test imports OpenGL
+for name in [name for name in os.environ if name == "DOME" or name.startswith("DOME_")]:
+    del os.environ[name]
+
+import sys  # noqa: E402
+from collections.abc import Iterator  # noqa: E402
+
+import pytest  # noqa: E402
+
+
+@pytest.fixture(autouse=True)
+def no_gl_error() -> Iterator[None]:
+    yield
+    platform = sys.modules.get("OpenGL.platform")
+    if platform is not None and platform.PLATFORM.GetCurrentContext():
+        # Asked of the driver itself: PyOpenGL may have been told not to look.
+        assert platform.PLATFORM.GL.glGetError() == 0, "the test left a GL error behind"
