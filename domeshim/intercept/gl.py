@@ -257,7 +257,9 @@ def _use_program(dome: Dome, original: Call) -> Call:
         if context is not None:
             context.bypass("program", bool(program))
             if program:
-                context.say_once("the program's own GLSL shaders are not bent onto the dome; they draw as on the monitor")
+                context.say_once(
+                    "the program's own GLSL shaders are not bent onto the dome; they draw as on the monitor"
+                )
         return original(program)
 
     return call
@@ -294,7 +296,11 @@ _SPECIAL: Mapping[str, Callable[[Dome, Call], Call]] = {
     "glUseProgram": _use_program,
     "glUseProgramObjectARB": _use_program,
     "glRenderMode": _render_mode,
-    **{f"gl{what}TransposeMatrix{t}": _load_matrix(transposed=True) for what in ("Load", "Mult") for t in ("d", "f")},
+    **{
+        f"gl{what}TransposeMatrix{t}": _load_matrix(transposed=True)
+        for what in ("Load", "Mult")
+        for t in ("d", "f")
+    },
 }
 _FAMILIES: Mapping[re.Pattern[str], Callable[[Dome, Call], Call]] = {
     _DRAWS: _draw,

@@ -52,6 +52,8 @@ def _read(dome: Dome, original: Call) -> Call:
 
 _CALLS: Mapping[str, Callable[[Dome, Call], Call]] = {
     "gluPerspective": _perspective,
-    **dict.fromkeys(("gluSphere", "gluCylinder", "gluDisk", "gluPartialDisk", "gluEndCurve", "gluEndSurface"), _draw),
+    **dict.fromkeys(
+        ("gluSphere", "gluCylinder", "gluDisk", "gluPartialDisk", "gluEndCurve", "gluEndSurface"), _draw
+    ),
     **dict.fromkeys(("gluProject", "gluUnProject", "gluUnProject4", "gluPickMatrix"), _read),
 }
