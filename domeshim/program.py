@@ -7,7 +7,6 @@ import os
 import pkgutil
 import sys
 from collections.abc import Sequence
-from importlib.abc import InspectLoader
 from importlib.machinery import ModuleSpec, SourceFileLoader, SourcelessFileLoader
 from importlib.util import find_spec
 from types import CodeType, ModuleType, TracebackType
@@ -24,16 +23,15 @@ def run_program(name: str, arguments: Sequence[str], *, module: bool = False) ->
 
     Raises OptionError where there is no such program.
     """
-    program: CodeType | None = None
     main = ModuleType("__main__")
     former = sys.modules["__main__"]  # noqa: F841 - kept alive: its functions are still on the stack
+    sys.argv[1:] = arguments
     try:
         namespace = _prepare_module(name) if module else _prepare_path(name)
-        program = namespace.pop("code")
+        code = namespace.pop("code")
         vars(main).update(namespace, __builtins__=builtins)
         sys.modules["__main__"] = main
-        sys.argv[1:] = arguments
-        exec(program, vars(main))
+        exec(code, vars(main))
     except (SystemExit, DomeError):
         raise
     except BaseException:
@@ -44,14 +42,14 @@ def run_program(name: str, arguments: Sequence[str], *, module: bool = False) ->
 def _prepare_path(path: str) -> dict[str, Any]:
     """Set sys.argv[0] and sys.path as for `python PATH`; the names of its __main__, and "code"."""
     sys.argv[:1] = [path]
-    importer = pkgutil.get_importer(path)
+    full = os.path.abspath(path)
+    importer = pkgutil.get_importer(full)
     if importer is not None:
         spec = importer.find_spec("__main__")
         if spec is None:
             raise OptionError(f"cannot run {path}: no __main__ module in it")
-        _set_first_path(path)
+        _set_first_path(full)
         return _names_of(spec)
-    full = os.path.abspath(path)
     _set_first_path(os.path.dirname(os.path.realpath(full)))
     loader = (SourcelessFileLoader if full.endswith(".pyc") else SourceFileLoader)("__main__", full)
     try:
@@ -86,17 +84,18 @@ def _prepare_module(name: str) -> dict[str, Any]:
 
 
 def _names_of(spec: ModuleSpec) -> dict[str, Any]:
-    loader = spec.loader
-    if not isinstance(loader, InspectLoader):
+    get_code = getattr(spec.loader, "get_code", None)
+    code: CodeType | None = get_code and get_code(spec.name)
+    if code is None:
         raise OptionError(f"cannot run {spec.name}: not Python code")
     names = {
         "__file__": spec.origin,
-        "__loader__": loader,
+        "__loader__": spec.loader,
         "__package__": spec.parent,
         "__spec__": spec,
         "__cached__": spec.cached,
     }
-    return {**names, "code": loader.get_code(spec.name)}
+    return {**names, "code": code}
 
 
 def _set_first_path(folder: str) -> None:
@@ -110,7 +109,8 @@ def _report_as_its_own() -> None:
     shown_by = sys.excepthook
 
     def show(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
-        shown_by(kind, error, _program_part(trace))
+        error.__traceback__ = _program_part(trace)
+        shown_by(kind, error, error.__traceback__)
 
     sys.excepthook = show
 

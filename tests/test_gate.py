@@ -44,7 +44,7 @@ def run(bare_python: Path, site: Path, tmp_path: Path) -> Run:
 
     def run(program: str, *flags: str, **variables: str) -> subprocess.CompletedProcess[str]:
         (tmp_path / "prog.py").write_text(program)
-        environ = {name: value for name, value in os.environ.items() if not name.startswith(("DOME", "PYTHON"))}
+        environ = {name: os.environ[name] for name in os.environ if not name.startswith(("DOME", "PYTHON"))}
         command = [str(bare_python), *flags, str(tmp_path / "prog.py")]
         return subprocess.run(command, env=environ | variables, capture_output=True, text=True, timeout=60)
 
@@ -176,7 +176,8 @@ sys.modules["domeshim.intercept.overlay"] = fake
 @pytest.fixture
 def own_opengl(tmp_path: Path) -> None:
     """A program's own copy of PyOpenGL beside it, where GLUT brings GL along."""
-    for name, text in {"": "", "GL": "def glBegin(): pass\n", "GLU": "", "GLUT": "import OpenGL.GL\n"}.items():
+    files = {"": "", "GL": "def glBegin(): pass\n", "GLU": "", "GLUT": "import OpenGL.GL\n"}
+    for name, text in files.items():
         folder = tmp_path / "OpenGL" / name
         folder.mkdir(parents=True, exist_ok=True)
         (folder / "__init__.py").write_text(text)
@@ -217,7 +218,8 @@ print(calls[6:])
 
 @pytest.mark.usefixtures("own_opengl")
 def test_an_overlay_that_imports_what_is_watched_is_not_lost_in_itself(run):
-    program = FAKE_OVERLAY.replace("def __init__(self, session):", "def __init__(self, session): import OpenGL.GLU;")
+    beginning = "def __init__(self, session):"
+    program = FAKE_OVERLAY.replace(beginning, beginning + " import OpenGL.GLU;")
     result = run(program + "import OpenGL.GL\nprint([call[0] for call in calls])", DOME="1")
     assert result.stderr == ""
     assert result.stdout == "['made', 'OpenGL.GL', 'OpenGL.GLU']\n"

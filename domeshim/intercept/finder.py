@@ -6,6 +6,7 @@ back before the module's first line runs.
 
 from __future__ import annotations
 
+import copy
 import sys
 from collections.abc import Callable, Collection, Sequence
 from importlib.abc import Loader, MetaPathFinder
@@ -85,5 +86,5 @@ class _StandIn(Loader):
             raise AttributeError(name)
         return getattr(self._loader, name)
 
-    def __reduce_ex__(self, protocol: Any) -> Any:
-        return self._loader.__reduce_ex__(protocol)
+    def __reduce__(self) -> Any:
+        return copy.copy, (self._loader,)  # a pickle or a copy has the loader in its place
