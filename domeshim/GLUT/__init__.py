@@ -1,10 +1,11 @@
 """The whole of GLUT, over glfw or off screen: `from domeshim.GLUT import *` in place of OpenGL.GLUT.
 
-Everything that OpenGL.GLUT offers to programs is here under the same name. GLUT's memory is in state.py; a call's way
-is windows.py and callbacks.py, mainloop.py, events.py -> reactions.py -> dispatch.py, and back into the program.
+Everything that OpenGL.GLUT offers to programs is here under the same name. GLUT's memory is in state.py;
+what a program registers in callbacks.py is called from mainloop.py: events.py -> reactions.py -> dispatch.py.
 """
 
 # ruff: noqa: I001 - one name a line would fill ten screens
+# fmt: off
 
 from __future__ import annotations
 

@@ -18,9 +18,7 @@ def integer(function: str, name: str, value: Any) -> int:
     try:
         return operator.index(value.value if isinstance(value, ctypes._SimpleCData) else value)
     except TypeError:
-        raise ctypes.ArgumentError(
-            f"{function}: {name} must be an integer, not {type(value).__name__} {value!r}"
-        ) from None
+        raise _refused(function, f"{name} must be an integer", value) from None
 
 
 def real(function: str, name: str, value: Any) -> float:
@@ -31,9 +29,7 @@ def real(function: str, name: str, value: Any) -> float:
     try:
         return float(value.value if isinstance(value, ctypes._SimpleCData) else value)
     except (TypeError, ValueError):
-        raise ctypes.ArgumentError(
-            f"{function}: {name} must be a number, not {type(value).__name__} {value!r}"
-        ) from None
+        raise _refused(function, f"{name} must be a number", value) from None
 
 
 def text(function: str, name: str, value: Any) -> str:
@@ -49,7 +45,7 @@ def text(function: str, name: str, value: Any) -> str:
         return bytes(value).split(b"\0")[0].decode("utf-8", "replace")
     if isinstance(value, str):
         return value.split("\0")[0]
-    raise ctypes.ArgumentError(f"{function}: {name} must be str or bytes, not {type(value).__name__} {value!r}")
+    raise _refused(function, f"{name} must be str or bytes", value)
 
 
 def callback(function: str, value: Any) -> Callback | None:
@@ -61,4 +57,8 @@ def callback(function: str, value: Any) -> Callback | None:
         return value  # type: ignore[no-any-return] # whatever it returns, nobody looks at it
     if value is None or (isinstance(value, int) and value == 0):
         return None
-    raise ctypes.ArgumentError(f"{function}: a function or None is needed, not {type(value).__name__} {value!r}")
+    raise _refused(function, "a function or None is needed", value)
+
+
+def _refused(function: str, rule: str, value: Any) -> ctypes.ArgumentError:
+    return ctypes.ArgumentError(f"{function}: {rule}, not {type(value).__name__} {value!r}")

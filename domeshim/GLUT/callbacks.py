@@ -1,7 +1,7 @@
 """glut...Func: which of the program's functions hears of what, window by window.
 
-None takes a callback back. Spaceballs, dials, button boxes, tablets and joysticks can be registered for as ever;
-they are not served, and glutDeviceGet says that there are none.
+None takes a callback back. Spaceballs, dials, button boxes, tablets and joysticks can be registered for as
+ever; they are not served, and glutDeviceGet says that there are none.
 """
 
 from __future__ import annotations
@@ -158,7 +158,8 @@ def glutTabletButtonFunc(function: Any) -> Any:
 
 def glutIgnoreKeyRepeat(ignore: Any) -> None:
     """Say whether the current window shall not hear of keys that repeat while they are held."""
-    current_window("glutIgnoreKeyRepeat").ignore_repeat = bool(integer("glutIgnoreKeyRepeat", "ignore", ignore))
+    ignored = bool(integer("glutIgnoreKeyRepeat", "ignore", ignore))
+    current_window("glutIgnoreKeyRepeat").ignore_repeat = ignored
 
 
 def glutSetKeyRepeat(repeatMode: Any) -> None:

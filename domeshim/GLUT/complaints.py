@@ -27,7 +27,8 @@ def print_program_traceback(error: BaseException) -> None:
     report = traceback.TracebackException(type(error), error, _program_part(error.__traceback__))
     seen: traceback.TracebackException | None = report
     while seen is not None:
-        seen.stack = traceback.StackSummary.from_list([f for f in seen.stack if not f.filename.startswith(_OURS)])
+        theirs = [frame for frame in seen.stack if not frame.filename.startswith(_OURS)]
+        seen.stack = traceback.StackSummary.from_list(theirs)
         seen = seen.__cause__ or seen.__context__
     print("".join(report.format()), end="", file=sys.stderr, flush=True)
 

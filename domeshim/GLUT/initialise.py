@@ -27,8 +27,9 @@ _MODE_WORDS = {
     "rgba": c.GLUT_RGBA | c.GLUT_ALPHA,
     "luminance": c.GLUT_LUMINANCE,
 }
-_MODE_WORDS_WITHOUT_EFFECT = frozenset(
-    ["auxbufs", "blue", "buffer", "conformant", "green", "red", "num", "slow", "win32pdf", "win32pfd", "xvisual", "xstaticgray", "xgrayscale", "xstaticcolor", "xpseudocolor", "xtruecolor", "xdirectcolor", "borderless", "aux"]
+_IGNORED_MODE_WORDS = frozenset(
+    {"auxbufs", "blue", "borderless", "buffer", "conformant", "green", "num", "red", "slow", "win32pfd"}
+    | {"xvisual", "xstaticgray", "xgrayscale", "xstaticcolor", "xpseudocolor", "xtruecolor", "xdirectcolor"}
 )
 
 
@@ -106,7 +107,7 @@ def glutInitDisplayString(displayMode: Any) -> None:
             mode |= _MODE_WORDS[name] if wanted else 0
             if name == "samples" and found and found[2]:
                 state.samples = int(found[2])
-        elif name not in _MODE_WORDS_WITHOUT_EFFECT:
+        elif name not in _IGNORED_MODE_WORDS:
             state.warn(f"glutInitDisplayString(): {word!r} is no display mode")
     state.display_mode = mode
     _mention_index_mode(state)
@@ -129,7 +130,10 @@ def glutInitWindowSize(width: Any, height: Any) -> None:
 def glutInitWindowPosition(x: Any, y: Any) -> None:
     """Give the next windows' place; negative numbers leave it to the window manager."""
     state = glut_state()
-    state.init_position = (integer("glutInitWindowPosition", "x", x), integer("glutInitWindowPosition", "y", y))
+    state.init_position = (
+        integer("glutInitWindowPosition", "x", x),
+        integer("glutInitWindowPosition", "y", y),
+    )
 
 
 def glutInitContextVersion(majorVersion: Any, minorVersion: Any) -> None:

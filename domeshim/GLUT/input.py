@@ -20,6 +20,7 @@ def program_pointer(window: GlutWindow, x: float, y: float) -> tuple[int, int]:
 
 
 def key(state: GlutState, window: GlutWindow, key: int, pressed: bool, modifiers: int) -> None:
+    """Tell of a key, unless its character is still to come."""
     window.typing = None
     window.modifiers = keys.glut_modifiers(modifiers)
     if not pressed:
@@ -33,9 +34,9 @@ def key(state: GlutState, window: GlutWindow, key: int, pressed: bool, modifiers
     special = keys.special_number(key)
     typed = keys.typed_without_character(key, modifiers)
     if special is not None:
-        press(state, window, key, "special", special)
+        _press(state, window, key, "special", special)
     elif typed is not None:
-        press(state, window, key, "keyboard", typed)
+        _press(state, window, key, "keyboard", typed)
     else:
         window.typing = key
 
@@ -48,15 +49,16 @@ def character(state: GlutState, window: GlutWindow, codepoint: int) -> None:
     if window.typing is None:
         call_input(state, window, window.modifiers, "keyboard", typed)
     else:
-        press(state, window, window.typing, "keyboard", typed)
+        _press(state, window, window.typing, "keyboard", typed)
 
 
-def press(state: GlutState, window: GlutWindow, key: int, family: str, value: bytes | int) -> None:
+def _press(state: GlutState, window: GlutWindow, key: int, family: str, value: bytes | int) -> None:
     window.keys[key] = (family, value)
     call_input(state, window, window.modifiers, family, value)
 
 
 def pointer_moved(state: GlutState, window: GlutWindow, x: float, y: float) -> None:
+    """Tell of the pointer, in the program's pixels."""
     window.pointer = program_pointer(window, x, y)
     if menu_takes_motion(state, window):
         return
@@ -64,10 +66,12 @@ def pointer_moved(state: GlutState, window: GlutWindow, x: float, y: float) -> N
 
 
 def pointer_entered(state: GlutState, window: GlutWindow, inside: bool) -> None:
+    """Tell of the pointer coming and leaving."""
     call_window(state, window, "entry", c.GLUT_ENTERED if inside else c.GLUT_LEFT)
 
 
 def button(state: GlutState, window: GlutWindow, button: int, pressed: bool, modifiers: int) -> None:
+    """Tell of a mouse button, unless it opens a menu."""
     number = keys.glut_button(button)
     (window.buttons.add if pressed else window.buttons.discard)(number)
     if menu_takes_button(state, window, number, pressed):

@@ -17,7 +17,7 @@ from domeshim.GLUT.state import GlutState, GlutWindow, Timer, current_window, gl
 LONGEST_WAIT = 0.1
 """Seconds after which a waiting loop lets Python hear of Ctrl-C."""
 PATIENCE = 1.0
-"""Virtual seconds without a picture after which a new one is asked for, as a screen does that lost the old."""
+"""Virtual seconds without a picture after which one is asked for, as by a screen that lost the old one."""
 _SAME_MOMENT = 1e-9
 
 

@@ -16,6 +16,20 @@ from domeshim.GLUT.state import GlutState, GlutWindow, Menu
 ROW, LETTER, MARGIN = 18, 8, 6
 """Height of an entry, width of a letter (GLUT_BITMAP_8_BY_13) and space around the text, in pixels."""
 
+_OFF = (
+    "GL_LIGHTING",
+    "GL_FOG",
+    "GL_TEXTURE_1D",
+    "GL_TEXTURE_2D",
+    "GL_BLEND",
+    "GL_CULL_FACE",
+    "GL_DEPTH_TEST",
+    "GL_SCISSOR_TEST",
+    "GL_STENCIL_TEST",
+    "GL_ALPHA_TEST",
+    "GL_COLOR_LOGIC_OP",
+)
+
 
 @dataclass
 class Pane:
@@ -29,7 +43,8 @@ class Pane:
     @property
     def width(self) -> int:
         """Wide enough for the longest label and a submenu's sign."""
-        return max((len(label) for label, _, _ in self.menu.items), default=4) * LETTER + 2 * MARGIN + 2 * LETTER
+        longest = max((len(label) for label, _, _ in self.menu.items), default=4)
+        return (longest + 2) * LETTER + 2 * MARGIN
 
     def item_at(self, x: int, y: int) -> int | None:
         """Return the index of the entry at that place of the window, or None outside."""
@@ -168,10 +183,8 @@ def _flat_drawing(width: int, height: int) -> Iterator[None]:
     program = GL.glGetIntegerv(GL.GL_CURRENT_PROGRAM)
     GL.glUseProgram(0)
     GL.glPushAttrib(GL.GL_ALL_ATTRIB_BITS)
-    for capability in (GL.GL_LIGHTING, GL.GL_DEPTH_TEST, GL.GL_TEXTURE_2D, GL.GL_BLEND, GL.GL_FOG, GL.GL_CULL_FACE):
-        GL.glDisable(capability)
-    for capability in (GL.GL_SCISSOR_TEST, GL.GL_STENCIL_TEST, GL.GL_ALPHA_TEST, GL.GL_COLOR_LOGIC_OP):
-        GL.glDisable(capability)
+    for capability in _OFF:
+        GL.glDisable(getattr(GL, capability))
     GL.glPolygonMode(GL.GL_FRONT_AND_BACK, GL.GL_FILL)
     GL.glViewport(0, 0, width, height)
     for stack in (GL.GL_PROJECTION, GL.GL_MODELVIEW):

@@ -25,12 +25,13 @@ _GL_SIZES = {
     c.GLUT_WINDOW_ACCUM_ALPHA_SIZE: "GL_ACCUM_ALPHA_BITS",
     c.GLUT_WINDOW_NUM_SAMPLES: "GL_SAMPLES",
 }
+_COLOUR_BITS = ("GL_RED_BITS", "GL_GREEN_BITS", "GL_BLUE_BITS", "GL_ALPHA_BITS")
 _OF_WINDOW: dict[int, Callable[[GlutState, GlutWindow], int]] = {
     c.GLUT_WINDOW_X: lambda _, window: window.surface.position[0],
     c.GLUT_WINDOW_Y: lambda _, window: window.surface.position[1],
     c.GLUT_WINDOW_WIDTH: lambda _, window: window.size[0],
     c.GLUT_WINDOW_HEIGHT: lambda _, window: window.size[1],
-    c.GLUT_WINDOW_BUFFER_SIZE: lambda _, __: sum(_gl(f"GL_{n}_BITS") for n in ("RED", "GREEN", "BLUE", "ALPHA")),
+    c.GLUT_WINDOW_BUFFER_SIZE: lambda _, __: sum(map(_gl, _COLOUR_BITS)),
     c.GLUT_WINDOW_DOUBLEBUFFER: lambda _, window: int(bool(window.asked_mode & c.GLUT_DOUBLE)),
     c.GLUT_WINDOW_RGBA: lambda _, __: 1,
     c.GLUT_WINDOW_STEREO: lambda _, window: int(window.surface.format.stereo),
@@ -46,7 +47,6 @@ _OF_WINDOW: dict[int, Callable[[GlutState, GlutWindow], int]] = {
     **{query: lambda _, __, name=name: _gl(name) for query, name in _GL_SIZES.items()},  # type: ignore[misc]
 }
 _OF_STATE: dict[int, Callable[[GlutState], int]] = {
-    c.GLUT_ELAPSED_TIME: lambda state: _elapsed(state),
     c.GLUT_SCREEN_WIDTH: lambda _: sessions.current().backend.screen_size[0],
     c.GLUT_SCREEN_HEIGHT: lambda _: sessions.current().backend.screen_size[1],
     c.GLUT_SCREEN_WIDTH_MM: lambda _: sessions.current().backend.screen_size_mm[0],
@@ -170,7 +170,7 @@ def glutLayerGet(query: Any) -> int:
 
 
 def glutGetModifiers() -> int:
-    """Return GLUT_ACTIVE_... of the keyboard or mouse event whose callback runs; -1 outside those callbacks."""
+    """Return GLUT_ACTIVE_... of the keyboard or mouse event whose callback runs; -1 outside of those."""
     state = initialised_state("glutGetModifiers")
     if state.modifiers is None:
         state.warn("glutGetModifiers() called outside an input callback")

@@ -12,6 +12,8 @@ from domeshim.GLUT.arguments import Callback
 from domeshim.GLUT.complaints import fatal, warn
 from domeshim.window.contract import Window
 
+_PLAIN_CONTEXT = {"major": 1, "minor": 0, "flags": 0, "profile": 0}
+
 
 @dataclass(eq=False)
 class GlutWindow:
@@ -83,7 +85,7 @@ class GlutState:
     init_size: tuple[int, int] = (300, 300)
     init_position: tuple[int, int] = (-1, -1)
     iconic: bool = False
-    context: dict[str, int] = field(default_factory=lambda: {"major": 1, "minor": 0, "flags": 0, "profile": 0})
+    context: dict[str, int] = field(default_factory=lambda: dict(_PLAIN_CONTEXT))
     options: dict[int, int] = field(default_factory=dict)
     windows: dict[int, GlutWindow] = field(default_factory=dict)
     """The open windows, in the order of opening."""
@@ -104,7 +106,7 @@ class GlutState:
     """What is drawn over a window while a menu is open, or None."""
     modifiers: int | None = None
     """The modifier keys of the event whose callback runs, or None outside those callbacks."""
-    key_repeat: int = c.GLUT_KEY_REPEAT_DEFAULT
+    key_repeat: int = c.GLUT_KEY_REPEAT_ON
     game_mode: dict[str, int] = field(default_factory=dict)
     game_window: GlutWindow | None = None
     before_game: GlutWindow | None = None

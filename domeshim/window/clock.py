@@ -20,7 +20,7 @@ class Clock(ABC):
         """Seconds since the clock began."""
 
     def read(self) -> float:
-        """Seconds since the clock began, for a program that asks: a virtual clock lets no one wait for ever."""
+        """Seconds since the clock began, for a program: a virtual clock lets no one wait for ever."""
         return self.now()
 
     @abstractmethod
@@ -74,7 +74,7 @@ class VirtualClock(Clock):
         return self._put_off + self._frames / self.fps + self._ahead
 
     def read(self) -> float:
-        """Seconds since the first picture began; 1 ms more for each reading beyond PATIENCE in one picture."""
+        """Seconds since the first picture began; 1 ms more at each reading beyond PATIENCE in a picture."""
         self._reads += 1
         if self._reads > PATIENCE:
             self._ahead += 0.001

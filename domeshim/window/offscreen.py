@@ -38,7 +38,7 @@ class OffscreenBackend(Backend):
 
     def open_window(
         self,
-        title: str,
+        title: str,  # noqa: ARG002 - there is no title bar
         size: tuple[int, int],
         position: tuple[int, int] | None,
         surface: SurfaceFormat,
@@ -55,7 +55,7 @@ class OffscreenBackend(Backend):
         window.make_current()
         return window
 
-    def poll(self, timeout: float) -> None:  # noqa: ARG002 - nothing can happen here, so nothing to wait for
+    def poll(self, timeout: float) -> None:
         """Return at once: nobody types or points off screen."""
 
     @property
@@ -181,7 +181,7 @@ _ADVICE = "install Mesa's EGL (Debian: libegl1 libegl-mesa0 libgl1-mesa-dri) or 
 
 def _connect() -> Any:
     """Return the first EGL display with desktop GL: surfaceless, then each device, then the default."""
-    failures = []
+    failures: list[str] = []
     for name, display in _displays(failures):
         major, minor = EGL.EGLint(), EGL.EGLint()
         try:

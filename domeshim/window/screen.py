@@ -24,6 +24,7 @@ _CURSORS = {
     "hresize": glfw.HRESIZE_CURSOR,
     "vresize": glfw.VRESIZE_CURSOR,
 }
+_ACCUMULATION = (glfw.ACCUM_RED_BITS, glfw.ACCUM_GREEN_BITS, glfw.ACCUM_BLUE_BITS, glfw.ACCUM_ALPHA_BITS)
 
 
 class ScreenBackend(Backend):
@@ -62,17 +63,18 @@ class ScreenBackend(Backend):
 
         Raises ScreenError with glfw's words where it has nothing at all.
         """
-        said: list[str] = []
+        failures: list[str] = []
         for attempt, really_double in _attempts(surface):
             with _complaints() as said:
                 handle = _create(title, size, attempt, really_double, share)
+            failures += [words for words in said if words not in failures]
             if handle:
                 window = ScreenWindow(handle, attempt, events)
                 self._windows.append(window)
                 if position is not None:
                     window.move(*position)
                 return window
-        raise ScreenError(f"no window could be opened: {'; '.join(said)}")
+        raise ScreenError(f"no window could be opened: {'; '.join(failures)}")
 
     def poll(self, timeout: float) -> None:
         """Deliver what happened; wait at most timeout seconds for something."""
@@ -172,12 +174,13 @@ class ScreenWindow(Window):
         """
         if not full:
             if self._windowed is not None:
-                glfw.set_window_monitor(self.handle, None, *self._windowed, glfw.DONT_CARE)
+                windowed: Any = None  # glfw's stubs know no way back from a monitor
+                glfw.set_window_monitor(self.handle, windowed, *self._windowed, glfw.DONT_CARE)
                 self._windowed = None
             return
         monitors = glfw.get_monitors()
         if not 0 <= display < len(monitors):
-            raise ScreenError(f"there is no display {display}: this machine has {len(monitors)}, counted from 0")
+            raise ScreenError(f"there is no display {display}: {len(monitors)} found, counted from 0")
         if self._windowed is None:
             self._windowed = (*self.position, *glfw.get_window_size(self.handle))
         mode = glfw.get_video_mode(monitors[display])
@@ -213,7 +216,7 @@ class ScreenWindow(Window):
     def _listen(self) -> None:
         """Pass glfw's events on as the contract's."""
         handle = self.handle
-        glfw.set_framebuffer_size_callback(handle, lambda _, width, height: self.events.resized(width, height))
+        glfw.set_framebuffer_size_callback(handle, lambda _, *size: self.events.resized(*size))
         glfw.set_window_refresh_callback(handle, lambda _: self.events.exposed())
         glfw.set_window_close_callback(handle, self._close_asked)
         glfw.set_window_pos_callback(handle, lambda _, x, y: self.events.moved(x, y))
@@ -257,7 +260,9 @@ def _attempts(wanted: SurfaceFormat) -> Iterator[tuple[SurfaceFormat, bool]]:
         samples = samples // 2 if samples > 2 else 0
 
 
-def _create(title: str, size: tuple[int, int], surface: SurfaceFormat, double: bool, share: Window | None) -> Any:
+def _create(
+    title: str, size: tuple[int, int], surface: SurfaceFormat, double: bool, share: Window | None
+) -> Any:
     glfw.default_window_hints()
     # PyOpenGL asks its own platform which context is current: glfw must make it through the same one.
     through_egl = type(PLATFORM).__name__ == "EGLPlatform"
@@ -273,8 +278,7 @@ def _create(title: str, size: tuple[int, int], surface: SurfaceFormat, double: b
         glfw.SAMPLES: surface.samples,
     }
     if surface.accumulation:
-        accumulation = (glfw.ACCUM_RED_BITS, glfw.ACCUM_GREEN_BITS, glfw.ACCUM_BLUE_BITS, glfw.ACCUM_ALPHA_BITS)
-        hints |= dict.fromkeys(accumulation, 16)
+        hints |= dict.fromkeys(_ACCUMULATION, 16)
     for hint, value in hints.items():
         glfw.window_hint(hint, int(value))
     shared = share.handle if isinstance(share, ScreenWindow) else None

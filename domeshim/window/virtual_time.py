@@ -1,8 +1,8 @@
-"""Pinned time: every clock that a program can read goes by the session's, and its random numbers start from a seed.
+"""Pinned time: a program's clocks go by the session's, and its random numbers start from a seed.
 
-Patched: time.time, perf_counter, monotonic, their _ns twins and sleep; pygame.time; glfw.get_time; the seeds of
-random and numpy.random. Modules that come later are patched as they are imported. Left alone: datetime, which
-C code reads, and process_time and thread_time, which measure work and not the day.
+Patched: time.time, perf_counter, monotonic, their _ns twins and sleep; pygame.time; glfw.get_time; the seeds
+of random and numpy.random. Modules that come later are patched as they are imported. Left alone: datetime,
+which C code reads, and process_time and thread_time, which measure work and not the day.
 """
 
 from __future__ import annotations
@@ -69,23 +69,41 @@ class PinnedTime:
         self._undo.append(lambda: setattr(module, name, original))
         setattr(module, name, value)
 
+    def _patch_time(self) -> None:
+        # Bound methods: a class that keeps one of these would make a method of its own of a plain function.
+        self._replace(time, "time", self._time)
+        self._replace(time, "time_ns", self._time_ns)
+        for name in ("perf_counter", "monotonic"):
+            self._replace(time, name, self._clock.read)
+            self._replace(time, f"{name}_ns", self._nanoseconds)
+        self._replace(time, "sleep", self._sleep)
+
+    def _time(self) -> float:
+        return EPOCH + self._clock.read()
+
+    def _time_ns(self) -> int:
+        return int(EPOCH) * BILLION + self._nanoseconds()
+
+    def _nanoseconds(self) -> int:
+        return round(self._clock.read() * BILLION)
+
     def _milliseconds(self) -> int:
         return int(self._clock.read() * 1000.0 + 1e-6)
 
-    def _patch_time(self) -> None:
-        read = self._clock.read
-        self._replace(time, "time", lambda: EPOCH + read())
-        self._replace(time, "time_ns", lambda: int(EPOCH) * BILLION + round(read() * BILLION))
-        for name in ("perf_counter", "monotonic"):
-            self._replace(time, name, lambda: read())
-            self._replace(time, f"{name}_ns", lambda: round(read() * BILLION))
-        self._replace(time, "sleep", _sleep)
+    def _sleep(self, seconds: float) -> None:
+        """Return at once: nobody waits on a clock that goes by pictures."""
+        if seconds < 0:
+            raise ValueError("sleep length must be non-negative")
+
+    def _sleep_milliseconds(self, milliseconds: int) -> int:
+        """Return at once the milliseconds asked for, as pygame does after as many."""
+        return max(int(milliseconds), 0)
 
     def _patch_pygame(self, module: ModuleType) -> None:
         clock = self._clock
         self._replace(module, "get_ticks", self._milliseconds)
-        self._replace(module, "wait", _ticks_slept)
-        self._replace(module, "delay", _ticks_slept)
+        self._replace(module, "wait", self._sleep_milliseconds)
+        self._replace(module, "delay", self._sleep_milliseconds)
         self._replace(module, "Clock", lambda: PygameClock(clock))
 
     def _patch_glfw(self, module: ModuleType) -> None:
@@ -103,7 +121,7 @@ class PinnedTime:
 
 
 class PygameClock:
-    """What pygame.time.Clock() makes: counts the program's rounds, on the session's clock, and never waits."""
+    """What pygame.time.Clock() makes: times the program's rounds by the session's clock, and never waits."""
 
     def __init__(self, clock: Clock) -> None:
         self._clock = clock
@@ -131,7 +149,7 @@ class PygameClock:
 
 
 class _PatchOnImport(MetaPathFinder):
-    """Lets the other finders find the modules that wait for a patch, and patches them once they are executed."""
+    """Lets the other finders find the modules that wait for a patch, and patches them once executed."""
 
     def __init__(self, patches: dict[str, Callable[[ModuleType], None]]) -> None:
         self._patches = patches
@@ -161,14 +179,3 @@ class _PatchOnImport(MetaPathFinder):
 
         spec.loader.exec_module = execute_and_patch  # type: ignore[method-assign]
         return spec
-
-
-def _sleep(seconds: float) -> None:
-    """Return at once: nobody waits on a clock that goes by pictures."""
-    if seconds < 0:
-        raise ValueError("sleep length must be non-negative")
-
-
-def _ticks_slept(milliseconds: int) -> int:
-    """Return at once the milliseconds asked for, as pygame does after as many."""
-    return max(int(milliseconds), 0)
