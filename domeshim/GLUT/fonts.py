@@ -145,10 +145,11 @@ def _draw_bitmaps(face: BitmapFace, lines: Sequence[bytes]) -> None:
         for number, line in enumerate(lines):
             if number > 0:
                 back = sum(face.glyphs[code].width for code in lines[number - 1])
-                GL.glBitmap(0, 0, 0, 0, -back, -face.height, None)
+                # One blank pixel, for inside a display list Mesa reports an error at a bitmap of none.
+                GL.glBitmap(1, 1, 0, 0, -back, -face.height, b"\0")
             for code in line:
                 glyph = face.glyphs[code]
-                GL.glBitmap(glyph.width, face.height, *face.origin, glyph.width, 0, glyph.rows)
+                GL.glBitmap(glyph.width, face.height, *face.origin, glyph.width, 0, glyph.pixels)
     finally:
         GL.glPopClientAttrib()
 
@@ -193,5 +194,6 @@ def _lines(text: Any) -> tuple[bytes, ...]:
     elif isinstance(text, ctypes._Pointer):
         codes = ctypes.string_at(text) if text else b""
     else:
-        codes = bytes(getattr(text, "value", text) or b"")
+        content = getattr(text, "value", text)
+        codes = b"" if content is None else bytes(content)
     return tuple(codes.split(b"\0", 1)[0].split(b"\n"))

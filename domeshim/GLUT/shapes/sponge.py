@@ -25,9 +25,11 @@ def wire_sponge(levels: int, offset: tuple[float, float, float], scale: float) -
 
 def _faces(levels: int, offset: tuple[float, float, float], scale: float) -> Faces:
     corners, normals = platonic.tetrahedron_faces()
-    tips = -normals  # each unit normal points away from the tip that is not on its face
+    # Rounded where freeglut rounds, so that of edges which coincide the same ones are seen.
+    tips, size = -normals.astype(np.float32).astype(float), np.float32(scale)
     places = np.array([offset], float)
     for level in range(1, levels + 1):
-        places = (places[:, None] + scale / 2**level * tips).reshape(-1, 3)
-    small = scale / 2**levels * corners
-    return (places[:, None, None] + small).reshape(-1, 3, 3), np.tile(normals, (len(places), 1))
+        places = (places[:, None] + float(size) / 2**level * tips).reshape(-1, 3)
+    small = size / np.float32(2**levels) * corners.astype(np.float32)
+    moved = places.astype(np.float32)[:, None, None] + small
+    return moved.reshape(-1, 3, 3).astype(float), np.tile(normals, (len(places), 1))

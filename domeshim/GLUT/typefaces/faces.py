@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import ctypes
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +17,11 @@ class BitmapGlyph:
 
     width: int
     rows: bytes
+
+    @cached_property
+    def pixels(self) -> ctypes.Array[ctypes.c_ubyte]:
+        """The rows in the form that PyOpenGL hands on fastest."""
+        return (ctypes.c_ubyte * len(self.rows)).from_buffer_copy(self.rows)
 
 
 @dataclass(frozen=True)

@@ -18,6 +18,8 @@ _UNIT = 100 / 21
 _BASE_LINE = 9.0
 """Hershey's y of the baseline, y down."""
 _MONO_ADVANCE = 104.762
+_LEAST_INK = 96
+"""A pixel is set where a letter covers more than this of it, of 255."""
 
 # The advances of GLUT's proportional strokes, characters 32 to 126 (measured with glutStrokeWidthf).
 _ROMAN_ADVANCES = (
@@ -65,9 +67,7 @@ def _roman_glyph(strips: list[NDArray[np.float64]], advance: float) -> StrokeGly
     return _stroke_glyph(strips, advance, float(x.min() + x.max()) / 2)
 
 
-def _stroke_glyph(
-    strips: list[NDArray[np.float64]], advance: float, middle: float
-) -> StrokeGlyph:
+def _stroke_glyph(strips: list[NDArray[np.float64]], advance: float, middle: float) -> StrokeGlyph:
     """Put Hershey's x = middle in the middle of the advance, and his baseline on y = 0."""
     scaled = [(strip - (middle, _BASE_LINE)) * (_UNIT, -_UNIT) + (advance / 2, 0) for strip in strips]
     return StrokeGlyph(advance, tuple(strip.astype(np.float32) for strip in scaled))
@@ -88,14 +88,12 @@ def _bitmap_face(size: int, cell: int | None, height: int, depth: int) -> Bitmap
 def _bitmap_glyph(
     font: ImageFont.FreeTypeFont | ImageFont.ImageFont, letter: str, cell: int | None, height: int, depth: int
 ) -> BitmapGlyph:
-    """Draw one letter in black and white; one too wide for its cell is narrowed to it."""
+    """Draw one letter in black and white; narrow one that is too wide for its cell."""
     length = font.getlength(letter)
     width = cell or round(length)
     natural = max(width, round(length))
-    image = Image.new("1", (natural, height))
+    image = Image.new("L", (natural, height))
     draw = ImageDraw.Draw(image)
-    draw.fontmode = "1"
-    draw.text(((natural - length) / 2, height - depth), letter, fill=1, font=font, anchor="ls")
-    if natural > width:
-        image = image.resize((width, height), Image.Resampling.NEAREST)
-    return BitmapGlyph(width, image.transpose(Image.Transpose.FLIP_TOP_BOTTOM).tobytes())
+    draw.text(((natural - length) / 2, height - depth), letter, fill=255, font=font, anchor="ls")
+    ink = np.asarray(image.resize((width, height), Image.Resampling.BOX)) > _LEAST_INK
+    return BitmapGlyph(width, np.packbits(ink[::-1], axis=1).tobytes())
