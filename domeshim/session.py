@@ -32,6 +32,9 @@ class Dome(Protocol):
     def window_closed(self, window: Window) -> None:
         """The window's context is about to go."""
 
+    def flush(self) -> None:
+        """Let GL see what has been recorded."""
+
     def frame_ending(self, window: Window) -> None:
         """The picture is complete: what must still be drawn over it is drawn now."""
 
@@ -147,6 +150,8 @@ class Session:
     def display_ended(self, window: Window) -> None:
         """The display callback has returned; what it drew and never swapped is finished now."""
         self._displaying = False
+        if self.dome is not None:
+            self.dome.flush()
         if self._drawn:
             self._end_frame(window)
 

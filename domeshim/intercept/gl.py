@@ -1,7 +1,12 @@
-"""The intercepted names of OpenGL.GL: what each call means to the dome, before or after it goes on to GL."""
+"""The intercepted names of OpenGL.GL: what each call means to the dome, before it goes on to GL.
+
+Vertices and their attributes are recorded. Every other call first lets GL see what was recorded. Calls
+that the dome must know of do their part; within glNewList they are kept for when the list is called.
+"""
 
 from __future__ import annotations
 
+import copy
 import re
 from collections.abc import Callable, Mapping
 from types import ModuleType
@@ -10,6 +15,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from domeshim.intercept.dome import Dome
+from domeshim.intercept.lists import call_list, call_lists, delete_lists, end_list, new_list
+from domeshim.record.attributes import setter
 from domeshim.state.perspective import frustum, is_perspective, perspective_part
 from domeshim.state.scene import GROUP_OF
 
@@ -17,17 +24,23 @@ if TYPE_CHECKING:
     from domeshim.session import Session
 
 Call = Callable[..., Any]
+Maker = Callable[[Dome, Call], Call]
 
 _DRAWS = re.compile(
-    r"gl(Begin|Rect(|[dfis]v?)|Draw(Arrays|Elements|RangeElements|Pixels)\w*|MultiDraw\w+|EvalMesh[12]|Bitmap|CopyPixels"
-    r"|(Raster|Window)Pos\d?[dfis]?v?)(ARB|EXT)?"
+    r"gl(Draw(Arrays|Elements|RangeElements|Pixels)\w*|MultiDraw\w+|EvalMesh[12]|Bitmap|CopyPixels"
+    r"|(Raster|Window)Pos\d?[dfis]?v?)"
 )
 _LIGHTING = re.compile(r"gl(Light(|[fi]v?)|LightModel(|[fi]v?)|ColorMaterial)")
 _TEXTURES = re.compile(r"glTexGen(|[dfi]v?)")
-_REST = re.compile(r"gl(Fog(|[fi]v?)|PointParameter(|[fi]v?))(ARB|EXT)?")
-_LOADS = re.compile(r"gl(Load|Mult)(Transpose)?Matrix[df]?(ARB)?")
+_REST = re.compile(r"gl(Fog(|[fi]v?)|PointParameter(|[fi]v?))")
+_LOADS = re.compile(r"gl(Load|Mult)(Transpose)?Matrix[df]?")
 _GETS = re.compile(r"glGet(Boolean|Double|Float|Integer)(v|)|glIsEnabled")
 _READS = re.compile(r"glReadPixels\w*|glCopyTex\w+|glAccum|glClear")
+_RECTS = re.compile(r"glRect[dfis](v?)")
+_INSIDE = re.compile(r"gl(Material|EvalCoord|EvalPoint|ArrayElement|CallLists?|VertexAttrib|Index)\w*")
+"""Legal between glBegin and glEnd, beside the attributes."""
+_UNSEEN = re.compile(r"glGetError|glGetString\w*|glCheckError|glInit\w+")
+"""Neither changes anything nor depends on what was drawn."""
 
 _TOUCHED = frozenset(
     (
@@ -43,6 +56,7 @@ _TOUCHED = frozenset(
     )
 )
 """What the dome changes while it draws: before the program asks for one of these it is put back."""
+_COMPILE_AND_EXECUTE, _RENDER, _POLYGON, _TEXTURE0, _PROJECTION = 0x1301, 0x1C00, 0x0009, 0x84C0, 0x1701
 
 
 def replacements(session: Session, module: ModuleType) -> dict[str, Call]:
@@ -51,10 +65,8 @@ def replacements(session: Session, module: ModuleType) -> dict[str, Call]:
     dome = session.dome
     if isinstance(dome, Dome):
         for name, original in vars(module).items():
-            if name.startswith("gl") and callable(original):
-                call = _dome_call(dome, name, ours.get(name, original))
-                if call is not None:
-                    ours[name] = call
+            if name.startswith("gl") and callable(original) and not _UNSEEN.fullmatch(name):
+                ours[name] = _dome_call(dome, name, ours.get(name, original))
     for name, call in ours.items():
         call.__name__ = name
         call.__doc__ = getattr(vars(module)[name], "__doc__", None)
@@ -63,37 +75,135 @@ def replacements(session: Session, module: ModuleType) -> dict[str, Call]:
 
 def _frame_calls(session: Session, module: ModuleType) -> dict[str, Call]:
     """The calls by which a picture begins and ends, on the monitor as on the dome."""
-    gl_flush, gl_finish, gl_clear = module.glFlush, module.glFinish, module.glClear
+    originals = {
+        name: vars(module)[name] for name in ("glFlush", "glFinish", "glClear") if name in vars(module)
+    }
 
-    def flush() -> None:
-        gl_flush()
-        session.flushed()
+    def ending(original: Call) -> Call:
+        def call() -> None:
+            original()
+            session.flushed()
 
-    def finish() -> None:
-        gl_finish()
-        session.flushed()
+        return call
 
-    def clear(mask: int) -> None:
-        session.clearing()
-        gl_clear(mask)
+    def clearing(original: Call) -> Call:
+        def call(mask: int) -> None:
+            session.clearing()
+            original(mask)
 
-    return {"glFlush": flush, "glFinish": finish, "glClear": clear}
+        return call
+
+    return {
+        name: (clearing if name == "glClear" else ending)(original) for name, original in originals.items()
+    }
 
 
-def _dome_call(dome: Dome, name: str, original: Call) -> Call | None:
-    """What the dome does around one name of GL; None where the call means nothing to it."""
-    special = _SPECIAL.get(name)
-    if special is not None:
-        return special(dome, original)
-    for pattern, make in _FAMILIES.items():
-        if pattern.fullmatch(name):
-            return make(dome, original)
-    return None
+def _dome_call(dome: Dome, name: str, original: Call) -> Call:
+    """What happens instead of one name of GL."""
+    plain_name = name.removesuffix("ARB").removesuffix("EXT")
+    recorder = dome.recorder
+    attribute = setter(plain_name)
+    if attribute is not None:
+        return recorder.recording(attribute)
+    if plain_name == "glBegin":
+        return _begin(dome)
+    if plain_name == "glEnd":
+        return _end(dome, original)
+    rectangle = _RECTS.fullmatch(plain_name)
+    if rectangle:
+        return _rectangle(dome, vector=bool(rectangle[1]))
+    return after_recorded(dome, plain_name, _meaning(dome, plain_name, original))
+
+
+def _meaning(dome: Dome, name: str, original: Call) -> Call:
+    """The call with what it means to the dome; the original where it means nothing."""
+    make = _SPECIAL.get(name) or next((make for pattern, make in _FAMILIES if pattern.fullmatch(name)), None)
+    return make(dome, original) if make is not None else original
+
+
+def after_recorded(dome: Dome, name: str, call: Call) -> Call:
+    """The call, once GL has seen what was recorded before it."""
+    recorder, pending = dome.recorder, dome.recorder.pending()
+    inside = bool(_INSIDE.fullmatch(name))
+
+    def after(*args: Any, **named: Any) -> Any:
+        if pending():
+            if inside and recorder.block is not None:
+                return recorder.inside(lambda: call(*args, **named))
+            dome.flush()
+        elif inside and recorder.block is not None:
+            return recorder.inside(lambda: call(*args, **named))
+        if dome.lists is not None and dome.lists.building is not None:
+            dome.lists.building.used = True
+        return call(*args, **named)
+
+    return after
+
+
+# Recorded.
+
+
+def _begin(dome: Dome) -> Call:
+    recorder = dome.recorder
+
+    def begin(mode: int) -> None:
+        recorder.begin(mode)
+
+    return begin
+
+
+def _end(dome: Dome, original: Call) -> Call:
+    recorder = dome.recorder
+
+    def end() -> None:
+        if recorder.block is None:
+            original()  # GL's own error
+            return
+        recorder.end()
+        if recorder.blocks and recorder.blocks[-1].extras:
+            dome.flush()
+
+    return end
+
+
+def _rectangle(dome: Dome, *, vector: bool) -> Call:
+    recorder = dome.recorder
+
+    def rectangle(x1: float, y1: float, x2: float, y2: float) -> None:
+        recorder.begin(_POLYGON)
+        recorder.positions.extend((x1, y1, 0.0, x2, y1, 0.0, x2, y2, 0.0, x1, y2, 0.0))
+        recorder.end()
+
+    def corners(v1: Any, v2: Any) -> None:
+        rectangle(v1[0], v1[1], v2[0], v2[1])
+
+    return corners if vector else rectangle
+
+
+# Passed on.
+
+
+def kept_in_lists(make: Maker) -> Maker:
+    """The call acts on the dome: while a display list is built it is kept in the list instead."""
+
+    def making(dome: Dome, original: Call) -> Call:
+        call = make(dome, original)
+
+        def maybe_kept(*args: Any, **named: Any) -> Any:
+            if dome.lists is not None and dome.lists.building is not None:
+                kept = copy.deepcopy(args)
+                return dome.lists.keep(lambda: call(*kept, **named))
+            return call(*args, **named)
+
+        return maybe_kept
+
+    return making
 
 
 def _draw(dome: Dome, original: Call) -> Call:
     def call(*args: Any, **named: Any) -> Any:
         if dome.context is not None:
+            dome.drawing()
             dome.context.dress()
         return original(*args, **named)
 
@@ -118,7 +228,7 @@ def _get(dome: Dome, original: Call) -> Call:
     return call
 
 
-def _staling(group: str) -> Callable[[Dome, Call], Call]:
+def _staling(group: str) -> Maker:
     def make(dome: Dome, original: Call) -> Call:
         def call(*args: Any, **named: Any) -> Any:
             if dome.context is not None:
@@ -133,12 +243,16 @@ def _staling(group: str) -> Callable[[Dome, Call], Call]:
 def _switch(dome: Dome, original: Call) -> Call:
     """glEnable and glDisable."""
 
-    def call(capability: int, *args: Any) -> Any:
-        group = GROUP_OF.get(capability)
-        if group is not None and dome.context is not None:
+    def switch(capability: int) -> Any:
+        if dome.context is not None:
             dome.context.undress()
-            dome.context.scene.stale.add(group)
-        return original(capability, *args)
+            dome.context.scene.stale.add(GROUP_OF[capability])
+        return original(capability)
+
+    kept = kept_in_lists(lambda _dome, _original: switch)(dome, original)
+
+    def call(capability: int, *args: Any) -> Any:
+        return kept(capability) if capability in GROUP_OF else original(capability, *args)
 
     return call
 
@@ -147,7 +261,7 @@ def _active_texture(dome: Dome, original: Call) -> Call:
     def call(texture: int) -> Any:
         if dome.context is not None:
             scene = dome.context.scene
-            scene.texture_units = max(scene.texture_units, int(texture) - 0x84C0 + 1)
+            scene.texture_units = max(scene.texture_units, int(texture) - _TEXTURE0 + 1)
         return original(texture)
 
     return call
@@ -164,74 +278,47 @@ def _viewport(dome: Dome, original: Call) -> Call:
 
 
 def _matrix_mode(dome: Dome, original: Call) -> Call:
-    def call(mode: int) -> Any:
+    def set_mode(mode: int) -> Any:
         if dome.context is not None:
             dome.context.matrix_mode_changed(int(mode))
         return original(mode)
+
+    kept = kept_in_lists(lambda _dome, _original: set_mode)(dome, original)
+
+    def call(mode: int) -> Any:
+        if dome.lists is not None and dome.lists.building is not None:
+            dome.lists.building.matrix_mode = int(mode)
+        return kept(mode)
 
     return call
 
 
 def _frustum(dome: Dome, original: Call) -> Call:
-    def call(left: float, right: float, bottom: float, top: float, zNear: float, zFar: float) -> Any:
-        if dome.context is not None:
-            dome.context.perspective_set(frustum(left, right, bottom, top, zNear, zFar))
-        return original(left, right, bottom, top, zNear, zFar)
+    def call(*planes: float) -> Any:
+        if dome.context is not None and len(planes) == 6:
+            dome.context.perspective_set(frustum(*planes))
+        return original(*planes)
 
     return call
 
 
-def _load_matrix(transposed: bool) -> Callable[[Dome, Call], Call]:
-    def make(dome: Dome, original: Call) -> Call:
-        def call(m: Any) -> Any:
-            context = dome.context
-            if context is not None and context.on_projection:
-                matrix = np.array(m, float).reshape(4, 4)
-                matrix = matrix if transposed else matrix.T
-                if is_perspective(matrix):
-                    context.perspective_set(perspective_part(matrix))
-            return original(m)
+def _load_matrix(dome: Dome, original: Call) -> Call:
+    transposed = "Transpose" in getattr(original, "__name__", "")
 
-        return call
-
-    return make
-
-
-def _new_list(dome: Dome, original: Call) -> Call:
-    def call(name: int, mode: int) -> Any:
+    def load(m: Any) -> Any:
         context = dome.context
-        if context is not None:
-            if mode == _COMPILE_AND_EXECUTE:
-                context.dress()
-            else:
-                context.undress()
-            context.compiling = True
-        return original(name, mode)
+        if context is not None and context.on_projection:
+            matrix = np.array(m, float).reshape(4, 4)
+            matrix = matrix if transposed else matrix.T
+            if is_perspective(matrix):
+                context.perspective_set(perspective_part(matrix))
+        return original(m)
 
-    return call
+    kept = kept_in_lists(lambda _dome, _original: load)(dome, original)
 
-
-def _end_list(dome: Dome, original: Call) -> Call:
-    def call() -> Any:
-        result = original()
-        if dome.context is not None:
-            dome.context.compiling = False
-            dome.context.anything_changed()
-        return result
-
-    return call
-
-
-def _call_list(dome: Dome, original: Call) -> Call:
-    def call(*args: Any, **named: Any) -> Any:
-        context = dome.context
-        if context is None:
-            return original(*args, **named)
-        context.dress()
-        result = original(*args, **named)
-        if not context.compiling:
-            context.anything_changed()
-        return result
+    def call(m: Any) -> Any:
+        building = dome.lists.building if dome.lists is not None else None
+        return kept(m) if building is None or building.matrix_mode == _PROJECTION else original(m)
 
     return call
 
@@ -255,7 +342,7 @@ def _use_program(dome: Dome, original: Call) -> Call:
     def call(program: Any) -> Any:
         context = dome.context
         if context is not None:
-            context.bypass("program", bool(program))
+            context.bypass("program", on=bool(program))
             if program:
                 context.say_once(
                     "the program's own GLSL shaders are not bent onto the dome; they draw as on the monitor"
@@ -270,44 +357,38 @@ def _render_mode(dome: Dome, original: Call) -> Call:
 
     def call(mode: int) -> Any:
         if dome.context is not None:
-            dome.context.bypass("render mode", mode != _RENDER)
+            dome.context.bypass("render mode", on=mode != _RENDER)
         return original(mode)
 
     return call
 
 
-_COMPILE_AND_EXECUTE, _RENDER = 0x1301, 0x1C00
-
-_SPECIAL: Mapping[str, Callable[[Dome, Call], Call]] = {
+_SPECIAL: Mapping[str, Maker] = {
     "glEnable": _switch,
     "glDisable": _switch,
     "glActiveTexture": _active_texture,
-    "glActiveTextureARB": _active_texture,
-    "glViewport": _viewport,
-    "glScissor": _viewport,
+    "glViewport": kept_in_lists(_viewport),
+    "glScissor": kept_in_lists(_viewport),
     "glMatrixMode": _matrix_mode,
-    "glFrustum": _frustum,
-    "glNewList": _new_list,
-    "glEndList": _end_list,
-    "glCallList": _call_list,
-    "glCallLists": _call_list,
-    "glPushAttrib": _attributes,
-    "glPopAttrib": _attributes,
-    "glUseProgram": _use_program,
-    "glUseProgramObjectARB": _use_program,
+    "glFrustum": kept_in_lists(_frustum),
+    "glNewList": new_list,
+    "glEndList": end_list,
+    "glCallList": kept_in_lists(call_list),
+    "glCallLists": kept_in_lists(call_lists),
+    "glDeleteLists": delete_lists,
+    "glPushAttrib": kept_in_lists(_attributes),
+    "glPopAttrib": kept_in_lists(_attributes),
+    "glUseProgram": kept_in_lists(_use_program),
+    "glUseProgramObject": kept_in_lists(_use_program),
     "glRenderMode": _render_mode,
-    **{
-        f"gl{what}TransposeMatrix{t}": _load_matrix(transposed=True)
-        for what in ("Load", "Mult")
-        for t in ("d", "f")
-    },
+    "glClear": kept_in_lists(_read),
 }
-_FAMILIES: Mapping[re.Pattern[str], Callable[[Dome, Call], Call]] = {
-    _DRAWS: _draw,
-    _LIGHTING: _staling("lighting"),
-    _TEXTURES: _staling("textures"),
-    _REST: _staling("rest"),
-    _LOADS: _load_matrix(transposed=False),
-    _GETS: _get,
-    _READS: _read,
-}
+_FAMILIES: tuple[tuple[re.Pattern[str], Maker], ...] = (
+    (_DRAWS, _draw),
+    (_LIGHTING, kept_in_lists(_staling("lighting"))),
+    (_TEXTURES, kept_in_lists(_staling("textures"))),
+    (_REST, kept_in_lists(_staling("rest"))),
+    (_LOADS, _load_matrix),
+    (_GETS, _get),
+    (_READS, _read),
+)

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
+from domeshim.intercept import gl
 from domeshim.intercept.dome import Dome
 from domeshim.state.perspective import perspective
 
@@ -20,7 +21,11 @@ def replacements(session: Session, module: ModuleType) -> dict[str, Call]:
     dome = session.dome
     if not isinstance(dome, Dome):
         return {}
-    return {name: make(dome, vars(module)[name]) for name, make in _CALLS.items() if name in vars(module)}
+    return {
+        name: gl.after_recorded(dome, name, _CALLS.get(name, lambda _dome, call: call)(dome, original))
+        for name, original in vars(module).items()
+        if name.startswith("glu") and callable(original) and name not in _UNSEEN
+    }
 
 
 def _perspective(dome: Dome, original: Call) -> Call:
@@ -35,6 +40,7 @@ def _perspective(dome: Dome, original: Call) -> Call:
 def _draw(dome: Dome, original: Call) -> Call:
     def call(*args: Any, **named: Any) -> Any:
         if dome.context is not None:
+            dome.drawing()
             dome.context.dress()
         return original(*args, **named)
 
@@ -50,8 +56,9 @@ def _read(dome: Dome, original: Call) -> Call:
     return call
 
 
+_UNSEEN = frozenset(("gluErrorString", "gluGetString", "gluNewQuadric", "gluNewTess", "gluNewNurbsRenderer"))
 _CALLS: Mapping[str, Callable[[Dome, Call], Call]] = {
-    "gluPerspective": _perspective,
+    "gluPerspective": gl.kept_in_lists(_perspective),
     **dict.fromkeys(
         ("gluSphere", "gluCylinder", "gluDisk", "gluPartialDisk", "gluEndCurve", "gluEndSurface"), _draw
     ),

@@ -70,7 +70,7 @@ class Overlay:
 
         session = self._session
         if session.options.enabled and session.dome is None:
-            session.dome = Dome(session.options)
+            session.dome = Dome(session)
         if name == "OpenGL.GLUT":
             from domeshim import GLUT  # noqa: PLC0415
 

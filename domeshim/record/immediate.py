@@ -1,0 +1,243 @@
+"""What the program draws by glBegin..glEnd, gathered until something else happens to GL.
+
+A recorded vertex costs a tenth of a PyOpenGL call. Attributes are kept as events, (vertex, values), so that
+a colour set once costs once; blocks that follow each other become one draw.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from domeshim.record.attributes import DEFAULTS, Setter
+
+Call = Callable[..., None]
+
+
+@dataclass
+class Events:
+    """One attribute's changes: before which float of the positions, and to what."""
+
+    size: int
+    places: list[int] = field(default_factory=list)
+    values: list[float] = field(default_factory=list)
+
+    @property
+    def last(self) -> tuple[float, ...]:
+        """The value set last."""
+        return tuple(self.values[-self.size :])
+
+
+@dataclass
+class Block:
+    """One glBegin..glEnd: its mode, its vertices, and the calls made inside that are no attributes."""
+
+    mode: int
+    first: int
+    end: int = 0
+    extras: list[tuple[int, Callable[[], object]]] = field(default_factory=list)
+
+
+@dataclass(frozen=True)
+class Run:
+    """Blocks that follow each other, as arrays.
+
+    positions: (n, 3) or (n, 4) float32; attributes: name -> (n, size) float32; a row of nan where the
+    vertex has the value that was current before the run.
+    """
+
+    positions: NDArray[np.float32]
+    attributes: dict[str, NDArray[np.float32]]
+    blocks: tuple[Block, ...]
+
+
+class Immediate:
+    """The recorder of one session: GL's Begin/End paradigm allows one at a time."""
+
+    def __init__(self) -> None:
+        self.positions: list[float] = []
+        """x, y, z of each vertex."""
+        self.attributes = {name: Events(len(default)) for name, default in DEFAULTS.items()}
+        self.block: Block | None = None
+        self.blocks: list[Block] = []
+        self.rare: list[None] = []
+        """Not empty where an attribute other than color, normal and texture0 was set."""
+        self._w: dict[int, float] = {}
+
+    def pending(self) -> Callable[[], object]:
+        """A function that tells whether GL has yet to see something; it is called before every GL call."""
+        positions, rare = self.positions, self.rare
+        color, normal, texture = (self.attributes[name].places for name in ("color", "normal", "texture0"))
+        return lambda: positions or color or normal or texture or rare
+
+    def begin(self, mode: int) -> None:
+        """glBegin."""
+        if self.block is None:
+            self.block = Block(int(mode), len(self.positions) // 3)
+
+    def end(self) -> None:
+        """glEnd."""
+        block = self.block
+        if block is not None:
+            block.end = len(self.positions) // 3
+            self.block = None
+            if block.end > block.first or block.extras:
+                self.blocks.append(block)
+
+    def w(self, vertex: int) -> float:
+        """A vertex's fourth coordinate."""
+        return self._w.get(vertex, 1.0)
+
+    def inside(self, extra: Callable[[], object]) -> None:
+        """A call between glBegin and glEnd that is no attribute is kept in its place."""
+        assert self.block is not None
+        self.block.extras.append((len(self.positions) // 3, extra))
+
+    def take(self) -> Run:
+        """What was recorded since the last time, as arrays; the recorder is empty then."""
+        positions = np.array(self.positions, np.float32).reshape(-1, 3)
+        count = len(positions)
+        if self._w:
+            w = np.ones((count, 1), np.float32)
+            w[list(self._w), 0] = list(self._w.values())
+            positions = np.hstack([positions, w])
+        run = Run(
+            positions,
+            {name: _spread(events, count) for name, events in self.attributes.items() if events.places},
+            tuple(self.blocks),
+        )
+        self.clear()
+        return run
+
+    def clear(self) -> None:
+        """Forget what was recorded."""
+        self.positions.clear()
+        self._w.clear()
+        self.blocks.clear()
+        self.rare.clear()
+        for events in self.attributes.values():
+            events.places.clear()
+            events.values.clear()
+
+    def recording(self, setter: Setter) -> Call:
+        """The function that records one GL name; it is called for each vertex, so it does nothing else."""
+        if setter.attribute == "vertex":
+            return self._vertex(setter)
+        if setter.attribute == "texture":
+            return self._unit_texture(setter)
+        return self._attribute(setter, self.attributes[setter.attribute])
+
+    def _vertex(self, setter: Setter) -> Call:
+        positions, extend, w = self.positions, self.positions.extend, self._w
+
+        def vertex2(x: float, y: float) -> None:
+            extend((x, y, 0.0))
+
+        def vertex3(x: float, y: float, z: float) -> None:
+            extend((x, y, z))
+
+        def vertex4(x: float, y: float, z: float, homogeneous: float) -> None:
+            if homogeneous != 1:
+                w[len(positions) // 3] = homogeneous
+            extend((x, y, z))
+
+        by_count: dict[int, Call] = {2: vertex2, 3: vertex3, 4: vertex4}
+        return _by_arguments(setter, by_count)
+
+    def _attribute(self, setter: Setter, events: Events) -> Call:
+        positions, mark, extend = self.positions, events.places.append, events.values.extend
+        scale, offset = setter.scale, setter.offset
+        default = DEFAULTS[setter.attribute]
+        note = self.rare.append
+
+        def rarely(*values: float) -> None:
+            note(None)
+            mark(len(positions))
+            extend([scale * v + offset for v in values])
+            extend(default[len(values) :])
+
+        def three(x: float, y: float, z: float) -> None:
+            mark(len(positions))
+            extend((x, y, z))
+
+        def color3(r: float, g: float, b: float) -> None:
+            mark(len(positions))
+            extend((r, g, b, 1.0))
+
+        def texture2(s: float, t: float) -> None:
+            mark(len(positions))
+            extend((s, t, 0.0, 1.0))
+
+        def scaled(*values: float) -> None:
+            mark(len(positions))
+            extend([scale * v + offset for v in values])
+            extend(default[len(values) :])
+
+        def plain(*values: float) -> None:
+            mark(len(positions))
+            extend(values)
+            extend(default[len(values) :])
+
+        if setter.attribute not in ("color", "normal", "texture0"):
+            return _by_arguments(setter, dict.fromkeys(range(1, 5), rarely))
+        if scale != 1:
+            return _by_arguments(setter, dict.fromkeys(range(1, 5), scaled))
+        fast: dict[int, Call] = {3: three} if events.size == 3 else {2: texture2, 3: color3}
+        return _by_arguments(setter, dict.fromkeys(range(1, 5), plain) | fast)
+
+    def _unit_texture(self, setter: Setter) -> Call:
+        units = [
+            self._attribute(
+                Setter(f"texture{unit}", setter.count, setter.vector, 1.0, 0.0),
+                self.attributes[f"texture{unit}"],
+            )
+            for unit in range(8)
+        ]
+
+        def call(target: int, *values: Any) -> None:
+            units[int(target) - 0x84C0](*values)
+
+        return call
+
+
+def _by_arguments(setter: Setter, by_count: dict[int, Call]) -> Call:
+    """The function for a name's number of values, given one by one or as a vector."""
+    if setter.count is None:
+
+        def any_count(*values: Any) -> None:
+            values = tuple(values[0]) if len(values) == 1 else values
+            by_count[len(values)](*values)
+
+        return any_count
+    call, count = by_count[setter.count], setter.count
+    if not setter.vector:
+        return call
+
+    def vector1(v: Any) -> None:
+        call(v[0] if isinstance(v, Sequence) or hasattr(v, "__getitem__") else v)
+
+    def vector2(v: Any) -> None:
+        call(v[0], v[1])
+
+    def vector3(v: Any) -> None:
+        call(v[0], v[1], v[2])
+
+    def vector4(v: Any) -> None:
+        call(v[0], v[1], v[2], v[3])
+
+    return (vector1, vector2, vector3, vector4)[count - 1]
+
+
+def _spread(events: Events, count: int) -> NDArray[np.float32]:
+    """Each vertex's value: that of the last event before it, nan before the first."""
+    values = np.array(events.values, np.float32).reshape(-1, events.size)
+    starts = np.array(events.places) // 3
+    lengths = np.diff(starts, append=count)
+    spread = np.repeat(values, lengths, axis=0)
+    if starts[0] == 0:
+        return spread
+    return np.concatenate([np.full((starts[0], events.size), np.nan, np.float32), spread])

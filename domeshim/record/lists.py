@@ -1,0 +1,91 @@
+"""Display lists: GL keeps what it can by itself; what concerns the dome runs when the list is called.
+
+A list is a row of parts. Geometry, matrices, materials and the like are compiled into GL's own lists; a call
+that the dome must see (glEnable(GL_LIGHTING), glMatrixMode, another list ...) is kept as it was made. Most
+lists are a single part, under the program's own name.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from domeshim.driver import Driver
+
+Part = int | Callable[[], object]
+"""The name of a GL list, or a call to make."""
+
+_COMPILE = 0x1300
+_OWN_NAMES = 0x4000_0000
+"""Names of further parts begin here, far above what programs choose for themselves."""
+
+
+@dataclass
+class Building:
+    """A list between glNewList and glEndList."""
+
+    name: int
+    execute: bool
+    matrix_mode: int
+    """The matrix stack that calls go to at this place of the list."""
+    parts: list[Part] = field(default_factory=list)
+    used: bool = False
+    """The open part holds something."""
+
+
+class DisplayLists:
+    """The lists of one context that consist of more than one part, and the one being built."""
+
+    def __init__(self, driver: Driver) -> None:
+        self._driver = driver
+        self._lists: dict[int, list[Part]] = {}
+        self._next = _OWN_NAMES
+        self.building: Building | None = None
+
+    def begin(self, name: int, *, execute: bool, matrix_mode: int) -> None:
+        """The program's glNewList has opened the GL list of this name, the first part."""
+        self.building = Building(name, execute, matrix_mode, [name])
+
+    def keep(self, call: Callable[[], object]) -> None:
+        """A call that must run when the list does: close the open part, keep it, open the next."""
+        building = self.building
+        assert building is not None
+        self._driver.glEndList()
+        self._drop_unused(building)
+        building.parts += [call, self._next]
+        building.used = False
+        self._driver.glNewList(self._next, _COMPILE)
+        self._next += 1
+
+    def end(self) -> Building:
+        """The program's glEndList has closed the open part."""
+        building = self.building
+        assert building is not None
+        self.building = None
+        self._drop_unused(building)
+        self.forget(building.name, 1)
+        if building.parts != [building.name]:
+            self._lists[building.name] = building.parts
+        return building
+
+    def parts(self, name: int) -> list[Part]:
+        """What to do, in order, when the list is called."""
+        return self._lists.get(name) or [name]
+
+    @property
+    def all_plain(self) -> bool:
+        """Every list is one part under its own name."""
+        return not self._lists
+
+    def forget(self, first: int, count: int) -> None:
+        """Delete the further parts of these lists; those of their own names the program deletes."""
+        for name in [n for n in self._lists if first <= n < first + count]:
+            for part in self._lists.pop(name):
+                if isinstance(part, int) and part != name:
+                    self._driver.glDeleteLists(part, 1)
+
+    def _drop_unused(self, building: Building) -> None:
+        last = building.parts[-1]
+        if not building.used and isinstance(last, int) and last != building.name:
+            building.parts.pop()
+            self._driver.glDeleteLists(last, 1)
