@@ -15,6 +15,8 @@ from domeshim.GLUT.state import GlutState, GlutWindow, Menu
 
 ROW, LETTER, MARGIN = 18, 8, 6
 """Height of an entry, width of a letter (GLUT_BITMAP_8_BY_13) and space around the text, in pixels."""
+NEAR = 4
+"""Pixels that the pointer may move in one click."""
 
 _OFF = (
     "GL_LIGHTING",
@@ -59,7 +61,13 @@ class OpenMenu:
 
     window: GlutWindow
     button: int
+    opened_at: tuple[int, int]
     panes: list[Pane]
+
+    def dragged(self) -> bool:
+        """Return whether the pointer has left the place where the menu was opened: a release chooses then."""
+        x, y = self.window.pointer
+        return abs(x - self.opened_at[0]) + abs(y - self.opened_at[1]) > NEAR
 
     def point(self, state: GlutState, x: int, y: int) -> None:
         """Mark the entry at (x, y), open its submenu, and close those of others."""
@@ -102,7 +110,7 @@ def menu_takes_button(state: GlutState, window: GlutWindow, button: int, pressed
     if choice is None:
         if pressed:
             close_open_menu(state)
-    elif choice[1] is not None and (pressed or button == menu.button):
+    elif choice[1] is not None and (pressed or (button == menu.button and menu.dragged())):
         close_open_menu(state)
         state.menu = choice[0]
         make_current(state, menu.window)
@@ -124,7 +132,7 @@ def _open(state: GlutState, window: GlutWindow, button: int, menu: Menu) -> None
     pane = Pane(menu, x, y)
     pane.x = max(min(x, window.size[0] - pane.width), 0)
     pane.y = max(min(y, window.size[1] - ROW * len(menu.items)), 0)
-    state.open_menu = OpenMenu(window, button, [pane])
+    state.open_menu = OpenMenu(window, button, (x, y), [pane])
     state.menu = menu
     window.redisplay = True
     _tell(state, window, c.GLUT_MENU_IN_USE)

@@ -69,11 +69,10 @@ class OffscreenBackend(Backend):
         return round(SCREEN_SIZE[0] / PIXELS_PER_MM), round(SCREEN_SIZE[1] / PIXELS_PER_MM)
 
     def close(self) -> None:
-        """Destroy all buffers and contexts."""
+        """Destroy all buffers and contexts; the EGL display is the whole process's and stays."""
         for window in self._windows:
             window.close()
         self._windows.clear()
-        EGL.eglTerminate(self._display)
 
 
 class OffscreenWindow(Window):
@@ -255,7 +254,7 @@ def _find_config(display: Any, wanted: SurfaceFormat, samples: int) -> Any | Non
     found = EGL.EGLint()
     configs = (EGL.EGLConfig * 256)()
     EGL.eglChooseConfig(display, (EGL.EGLint * (len(flat) + 1))(*flat, EGL.EGL_NONE), configs, 256, found)
-    exact = (EGL.EGL_SAMPLES, EGL.EGL_ALPHA_SIZE, EGL.EGL_DEPTH_SIZE, EGL.EGL_STENCIL_SIZE)
+    exact = [name for name in at_least if name not in (EGL.EGL_SURFACE_TYPE, EGL.EGL_RENDERABLE_TYPE)]
 
     def surplus(config: Any) -> list[int]:
         return [_attribute(display, config, name) - at_least[name] for name in exact]

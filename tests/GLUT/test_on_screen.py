@@ -1,0 +1,239 @@
+"""A GLUT program in a real window: keys and mouse by xdotool on a display of its own, closing, resizing."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.GLUT.program_runs import needs_xvfb, run_on_screen, run_without_display
+
+LISTENING = """
+import subprocess
+import sys
+from OpenGL.GL import *
+from domeshim.GLUT import *
+
+def say(*words):
+    print(*words, flush=True)
+
+def listen(name, modifiers=False):
+    return lambda *args: say(name, *args, *([glutGetModifiers()] if modifiers else []))
+
+def xdotool(commands):
+    subprocess.run(["xdotool", *commands.split()], check=True)
+
+glutInit(sys.argv)
+glutInitDisplayMode({mode})
+glutInitWindowSize(200, 100)
+glutInitWindowPosition(0, 0)
+glutCreateWindow("listening")
+
+def display():
+    glClearColor(1, 0.5, 0, 1)
+    glClear(GL_COLOR_BUFFER_BIT)
+    {show}()
+
+glutDisplayFunc(display)
+steps = iter({steps!r})
+
+def step(_):
+    commands = next(steps, None)
+    if commands is None:
+        glutLeaveMainLoop()
+        return
+    say("--", commands)
+    xdotool(commands)
+    glutTimerFunc(100, step, 0)
+
+glutTimerFunc(200, step, 0)
+"""
+
+
+def listening(
+    steps: list[str] | tuple[str, ...] = (), mode: str = "GLUT_DOUBLE", show: str = "glutSwapBuffers"
+) -> str:
+    return LISTENING.format(steps=list(steps), mode=mode, show=show)
+
+
+def answers(out: str) -> dict[str, list[str]]:
+    """Return what was said after each step."""
+    said: dict[str, list[str]] = {"": []}
+    step = ""
+    for line in out.splitlines():
+        if line.startswith("-- "):
+            step = line[3:]
+            said[step] = []
+        else:
+            said[step].append(line)
+    return said
+
+
+@needs_xvfb
+def test_keys_and_mouse_arrive(tmp_path: Path) -> None:
+    expected = {
+        "mousemove 60 50": ["entry 1", "passive 60 50"],
+        "key a": ["key b'a' 60 50 0", "key up b'a' 60 50 0"],
+        "keydown shift key a keyup shift": [
+            "special 112 60 50 0",
+            "key b'A' 60 50 1",
+            "key up b'A' 60 50 1",
+            "special up 112 60 50 1",
+        ],
+        "keydown ctrl key c keyup ctrl": [
+            "special 114 60 50 0",
+            r"key b'\x03' 60 50 2",
+            r"key up b'\x03' 60 50 2",
+            "special up 114 60 50 2",
+        ],
+        "key Escape": [r"key b'\x1b' 60 50 0", r"key up b'\x1b' 60 50 0"],
+        "key Return": [r"key b'\r' 60 50 0", r"key up b'\r' 60 50 0"],
+        "key F1": ["special 1 60 50 0", "special up 1 60 50 0"],
+        "key Left": ["special 100 60 50 0", "special up 100 60 50 0"],
+        "click 3": ["mouse 2 0 60 50 0", "mouse 2 1 60 50 0"],
+        "click 2": ["mouse 1 0 60 50 0", "mouse 1 1 60 50 0"],
+        "click 4": ["mouse 3 0 60 50 0", "mouse 3 1 60 50 0"],
+        "mousedown 1 mousemove 80 60 mouseup 1": ["mouse 0 0 60 50 0", "motion 80 60", "mouse 0 1 80 60 0"],
+        "mousemove 600 500": ["entry 0"],
+    }
+    source = (
+        listening(list(expected))
+        + """
+glutKeyboardFunc(listen("key", True)); glutKeyboardUpFunc(listen("key up", True))
+glutSpecialFunc(listen("special", True)); glutSpecialUpFunc(listen("special up", True))
+glutMouseFunc(listen("mouse", True)); glutMotionFunc(listen("motion"))
+glutPassiveMotionFunc(listen("passive")); glutEntryFunc(listen("entry"))
+glutMainLoop()
+"""
+    )
+    done = run_on_screen(tmp_path, source)
+    assert (done.returncode, done.stderr) == (0, "")
+    said = answers(done.stdout)
+    del said[""]
+    assert said == expected
+
+
+@needs_xvfb
+def test_resizing_hiding_and_full_screen_are_told_and_drawn(tmp_path: Path) -> None:
+    source = (
+        listening()
+        + """
+glutReshapeFunc(listen("reshape"))
+glutVisibilityFunc(listen("visibility"))
+moves = iter([lambda: glutReshapeWindow(300, 200), glutHideWindow, glutShowWindow, glutFullScreen,
+              glutFullScreenToggle, lambda: glutPositionWindow(40, 30),
+              lambda: say(glutGet(GLUT_WINDOW_X), glutGet(GLUT_WINDOW_Y), glutGet(GLUT_SCREEN_WIDTH))])
+def move(_):
+    following = next(moves, glutLeaveMainLoop)
+    following()
+    glutTimerFunc(100, move, 0)
+def step(_): pass
+glutTimerFunc(200, move, 0)
+glutMainLoop()
+"""
+    )
+    done = run_on_screen(tmp_path, source.replace("glutTimerFunc(200, step, 0)", ""))
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.splitlines() == [
+        "reshape 200 100",
+        "visibility 1",
+        "reshape 300 200",
+        "visibility 0",
+        "visibility 1",
+        "reshape 800 600",
+        "reshape 300 200",
+        "40 30 800",
+    ]
+
+
+@needs_xvfb
+@pytest.mark.parametrize("platform", ["glx", "egl"])
+@pytest.mark.parametrize(("mode", "show"), [("GLUT_DOUBLE", "glutSwapBuffers"), ("GLUT_SINGLE", "glFlush")])
+def test_what_is_drawn_is_on_the_screen_and_can_be_read(
+    tmp_path: Path, platform: str, mode: str, show: str
+) -> None:
+    source = (
+        listening(mode=mode, show=show)
+        + """
+import ctypes
+def look(_):
+    x11 = ctypes.CDLL("libX11.so.6")
+    for name in ("XOpenDisplay", "XDefaultRootWindow", "XGetImage", "XGetPixel"):
+        getattr(x11, name).restype = ctypes.c_void_p if "Pixel" not in name else ctypes.c_ulong
+    display = ctypes.c_void_p(x11.XOpenDisplay(None))
+    root = ctypes.c_void_p(x11.XDefaultRootWindow(display))
+    image = x11.XGetImage(display, root, 100, 50, 1, 1, ctypes.c_ulong(0xFFFFFF), 2)
+    say(hex(x11.XGetPixel(ctypes.c_void_p(image), 0, 0)))
+    if glutGet(GLUT_WINDOW_DOUBLEBUFFER) == 0:
+        say(list(glReadPixels(5, 5, 1, 1, GL_RGB, GL_UNSIGNED_BYTE)))
+glutTimerFunc(150, look, 0)
+glutMainLoop()
+"""
+    )
+    done = run_on_screen(tmp_path, source, platform)
+    assert (done.returncode, done.stderr) == (0, "")
+    lines = done.stdout.splitlines()
+    assert lines[0] in ("0xff7f00", "0xff8000")
+    assert lines[1:] in ([], ["[255, 127, 0]"], ["[255, 128, 0]"])
+    assert len(lines) == (1 if mode == "GLUT_DOUBLE" else 2)
+
+
+@needs_xvfb
+@pytest.mark.parametrize(
+    ("action", "out"),
+    [("GLUT_ACTION_EXIT", "closed\n"), ("GLUT_ACTION_GLUTMAINLOOP_RETURNS", "closed\nafter\n")],
+)
+def test_closing_the_window_by_its_frame(tmp_path: Path, action: str, out: str) -> None:
+    source = (
+        listening()
+        + f"""
+import glfw
+glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, {action})
+glutCloseFunc(lambda: say("closed"))
+def close(_):
+    # What a window manager does: WM_DELETE_WINDOW to the window. Xvfb has none.
+    import ctypes
+    from domeshim.session import current
+    x11 = ctypes.CDLL("libX11.so.6")
+    x11.XInternAtom.restype = ctypes.c_ulong
+    x11.XOpenDisplay.restype = ctypes.c_void_p
+    display = ctypes.c_void_p(x11.XOpenDisplay(None))
+    window = glfw.get_x11_window(current().glut.current.surface.handle)
+    atoms = [x11.XInternAtom(display, name, 0) for name in (b"WM_PROTOCOLS", b"WM_DELETE_WINDOW")]
+    message = (ctypes.c_long * 24)(33, 0, 0, 0, window, atoms[0], 32, atoms[1])
+    x11.XSendEvent(display, ctypes.c_ulong(window), 0, ctypes.c_long(0), message)
+    x11.XFlush(display)
+glutTimerFunc(50, close, 0)
+def step(_): pass
+glutMainLoop()
+say("after")
+"""
+    )
+    done = run_on_screen(tmp_path, source.replace("glutTimerFunc(200, step, 0)", ""))
+    assert (done.returncode, done.stdout, done.stderr) == (0, out, "")
+
+
+@needs_xvfb
+def test_real_timers_take_real_time(tmp_path: Path) -> None:
+    source = (
+        listening()
+        + """
+import time
+began = time.perf_counter()
+def late(_):
+    say(0.15 <= time.perf_counter() - began < 5, 150 <= glutGet(GLUT_ELAPSED_TIME) < 5000)
+    glutLeaveMainLoop()
+glutTimerFunc(150, late, 0)
+glutMainLoop()
+"""
+    )
+    done = run_on_screen(tmp_path, source)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "True True\n", "")
+
+
+def test_without_a_display_one_line_says_what_to_do(tmp_path: Path) -> None:
+    done = run_without_display(tmp_path, "from domeshim.GLUT import *\nglutInit()\nglutCreateWindow('x')\n")
+    assert done.returncode == 1
+    assert done.stderr.count("\n") == 1
+    for word in ("DISPLAY", "WAYLAND_DISPLAY", "domeshim capture"):
+        assert word in done.stderr
