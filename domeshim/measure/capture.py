@@ -21,8 +21,10 @@ from domeshim.window.clock import VirtualClock
 if TYPE_CHECKING:
     from domeshim.window.contract import Backend, Window
 
-GRACE = 10.0
+GRACE = 5.0
 """Real seconds that a program may take to end once its picture is taken."""
+NO_PICTURE = ": it opened no GLUT window, or never swapped its buffers nor flushed"
+"""What usually keeps a program from finishing any picture."""
 
 
 @dataclass(frozen=True)
@@ -51,16 +53,18 @@ def take(shot: Shot, options: Options, run: Callable[[], None]) -> NoReturn:
     startup.run_under(session)
     photographer.watch(shot.timeout)
     pin_time(clock)
-    last_words: object = None
+    status: object = None
     try:
         run()
     except SystemExit as ended:
-        last_words = ended.code
+        status = ended.code
     if photographer.taken:
         raise SystemExit(0)
-    if isinstance(last_words, str):
-        sys.stderr.write(f"{last_words}\n")
-    raise DomeError(f"the program ended {_how_far(session.frames)}; picture {shot.frame} was wanted")
+    if status is not None and not isinstance(status, int):
+        sys.stderr.write(f"{status}\n")  # as Python prints what it is told to exit with
+    hint = "" if status or session.frames else NO_PICTURE
+    progress = f"after {session.frames} pictures; picture {shot.frame} was wanted{hint}"
+    raise DomeError(f"the program ended {progress}")
 
 
 class Photographer:
@@ -102,8 +106,9 @@ class Photographer:
             self._news.clear()
         if self.taken:
             end_at_once(0)
-        progress = _how_far(self._frames)
-        startup.say(f"no picture for {timeout:g} seconds, {progress}; picture {self._frame} was wanted")
+        hint = "" if self._frames else NO_PICTURE
+        progress = f"after {self._frames} pictures; picture {self._frame} was wanted{hint}"
+        startup.say(f"nothing came for {timeout:g} seconds {progress}")
         end_at_once(1)
 
 
@@ -145,9 +150,3 @@ def _ready_to_write(output: Path) -> Path:
     except OSError as error:
         raise OptionError(f"--output={output}: {error.strerror}; accepted: a file to write") from None
     return path
-
-
-def _how_far(frames: int) -> str:
-    if frames == 0:
-        return "without a picture: it opened no GLUT window, or never swapped buffers or flushed"
-    return f"after {frames} picture{'s' if frames > 1 else ''}"
