@@ -79,6 +79,7 @@ _SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "glUniform2fv": (None, (_INT, _INT, POINTER(c_float))),
     "glUniform3fv": (None, (_INT, _INT, POINTER(c_float))),
     "glUniformMatrix4fv": (None, (_INT, _INT, c_ubyte, POINTER(c_float))),
+    "glGenBuffers": (None, (_INT, POINTER(c_uint))),
     "glBindBuffer": (None, (_ENUM, _UINT)),
     "glBufferData": (None, (_ENUM, c_ssize_t, _POINTER, _ENUM)),
 }

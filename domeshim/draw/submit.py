@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 from collections.abc import Callable, Iterator
 from ctypes import c_float, c_int, c_uint
 from typing import Any
@@ -17,7 +18,7 @@ _FEW = 24
 
 _POINTS, _LINES, _TRIANGLES, _QUADS = 0, 1, 4, 7
 _INDEPENDENT = {_POINTS: 1, _LINES: 2, _TRIANGLES: 3, _QUADS: 4}
-_FLOAT, _TEXTURE0 = 0x1406, 0x84C0
+_FLOAT, _TEXTURE0, _STREAM_DRAW = 0x1406, 0x84C0, 0x88E0
 _VERTEX_ARRAY_BINDING, _ARRAY_BUFFER, _ARRAY_BUFFER_BINDING, _CLIENT_ACTIVE_TEXTURE = (
     0x85B5,
     0x8892,
@@ -35,7 +36,7 @@ class Submitter:
 
     def __init__(self, driver: Driver) -> None:
         self._driver = driver
-        self._array_object = 0
+        self._array_object = self._buffer = 0
         self._enabled: set[str] = set()
         self._setters = _current_setters(driver)
 
@@ -109,44 +110,44 @@ class Submitter:
     def _draw_arrays(self, run: Run) -> None:
         gl = self._driver
         program_object, program_buffer = gl.integer(_VERTEX_ARRAY_BINDING), gl.integer(_ARRAY_BUFFER_BINDING)
-        gl.glBindVertexArray(self._own_array_object())
-        if program_buffer:
-            gl.glBindBuffer(_ARRAY_BUFFER, 0)
-        kept = self._point_at(run)
+        self._bind_own()
+        self._upload(run)
         for mode, firsts, counts in _draws(run.blocks):
             if len(firsts) == 1:
                 gl.glDrawArrays(mode, firsts[0], counts[0])
             else:
                 count = len(firsts)
                 gl.glMultiDrawArrays(mode, (c_int * count)(*firsts), (c_int * count)(*counts), count)
-        del kept
         gl.glBindVertexArray(program_object)
-        if program_buffer:
-            gl.glBindBuffer(_ARRAY_BUFFER, program_buffer)
+        gl.glBindBuffer(_ARRAY_BUFFER, program_buffer)
 
-    def _own_array_object(self) -> int:
-        if not self._array_object:
-            name = c_uint()
-            self._driver.glGenVertexArrays(1, name)
-            self._array_object = name.value
-        return self._array_object
-
-    def _point_at(self, run: Run) -> list[NDArray[Any]]:
-        """Set the pointers; the arrays returned must outlive the draws."""
+    def _bind_own(self) -> None:
         gl = self._driver
-        kept = [run.positions]
-        gl.glVertexPointer(run.positions.shape[1], _FLOAT, 0, run.positions.ctypes.data)
+        if not self._array_object:
+            names = (c_uint * 2)()
+            gl.glGenVertexArrays(1, names)
+            gl.glGenBuffers(1, ctypes.byref(names, 4))
+            self._array_object, self._buffer = names
+        gl.glBindVertexArray(self._array_object)
+        gl.glBindBuffer(_ARRAY_BUFFER, self._buffer)
+
+    def _upload(self, run: Run) -> None:
+        """Positions and attributes, one below the other, into the buffer; the pointers to where each begins."""
+        gl = self._driver
         wanted = {"vertex", *run.attributes}
         for name in wanted - self._enabled:
             self._switch_array(name, on=True)
         for name in self._enabled - wanted:
             self._switch_array(name, on=False)
         self._enabled = wanted
-        for name, values in run.attributes.items():
-            filled = self._filled(name, values)
-            kept.append(filled)
-            self._attribute_pointer(name, filled)
-        return kept
+        arrays = [run.positions, *(self._filled(name, values) for name, values in run.attributes.items())]
+        data = b"".join(array.tobytes() for array in arrays)
+        gl.glBufferData(_ARRAY_BUFFER, len(data), data, _STREAM_DRAW)
+        gl.glVertexPointer(run.positions.shape[1], _FLOAT, 0, 0)
+        offset = run.positions.nbytes
+        for name, array in zip(run.attributes, arrays[1:], strict=True):
+            self._attribute_pointer(name, offset)
+            offset += array.nbytes
 
     def _switch_array(self, name: str, *, on: bool) -> None:
         gl = self._driver
@@ -159,8 +160,8 @@ class Submitter:
         else:
             switch(_VERTEX_ARRAY if name == "vertex" else _ARRAYS[name])
 
-    def _attribute_pointer(self, name: str, values: NDArray[Any]) -> None:
-        gl, data = self._driver, values.ctypes.data
+    def _attribute_pointer(self, name: str, data: int) -> None:
+        gl = self._driver
         match name:
             case "color":
                 gl.glColorPointer(4, _FLOAT, 0, data)
@@ -185,7 +186,7 @@ class Submitter:
             values = np.where(np.isnan(values), self._current(name, values.shape[1]), values).astype(
                 np.float32
             )
-        return values.astype(np.uint8) if name == "edge" else np.ascontiguousarray(values)
+        return values.astype(np.uint8) if name == "edge" else values
 
     def _current(self, name: str, size: int) -> NDArray[np.float32]:
         gl = self._driver
@@ -229,8 +230,8 @@ def _current_setters(driver: Driver) -> dict[str, Callable[..., None]]:
     return {
         "color": driver.glColor4f,
         "normal": driver.glNormal3f,
-        "secondary": lambda *values: driver.glSecondaryColor3f(*values),
-        "fog": lambda *values: driver.glFogCoordf(*values),
+        "secondary": driver.glSecondaryColor3f,
+        "fog": driver.glFogCoordf,
         "edge": lambda value: driver.glEdgeFlag(int(value)),
         **{f"texture{unit}": texture(unit) for unit in range(8)},
     }
