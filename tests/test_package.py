@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
+Completed = subprocess.CompletedProcess[str]
 HOOK = {"domeshim.pth", "domeshim.start", "_domeshim_gate.py"}
 
 
@@ -39,7 +40,7 @@ def install(checkout: Path, folder: Path, kind: str) -> tuple[set[str], Path]:
         return set(wheel.namelist()), folder / "venv" / "bin" / "python"
 
 
-def run(python: Path, program: str, folder: Path, environ: dict[str, str]) -> subprocess.CompletedProcess[str]:
+def run(python: Path, program: str, folder: Path, environ: dict[str, str]) -> Completed:
     command = [str(python), "-c", program]
     return subprocess.run(command, cwd=folder, env=environ, capture_output=True, text=True, timeout=60)
 
