@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ctypes
 from collections.abc import Callable, Iterator
 from ctypes import c_float, c_int, c_uint
 from typing import Any
@@ -124,10 +123,10 @@ class Submitter:
     def _bind_own(self) -> None:
         gl = self._driver
         if not self._array_object:
-            names = (c_uint * 2)()
-            gl.glGenVertexArrays(1, names)
-            gl.glGenBuffers(1, ctypes.byref(names, 4))
-            self._array_object, self._buffer = names
+            array_object, buffer = c_uint(), c_uint()
+            gl.glGenVertexArrays(1, array_object)
+            gl.glGenBuffers(1, buffer)
+            self._array_object, self._buffer = array_object.value, buffer.value
         gl.glBindVertexArray(self._array_object)
         gl.glBindBuffer(_ARRAY_BUFFER, self._buffer)
 
