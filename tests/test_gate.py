@@ -61,7 +61,7 @@ def test_dome_off_imports_just_what_python_imports_without_the_hook(run, site, v
     assert not any("domeshim" in name for name in with_hook - {"_domeshim_gate"})
     assert "_domeshim_gate" not in with_hook or sys.version_info >= (3, 15)  # PEP 829 always imports it
     for name in HOOK:
-        (site / name).unlink()
+        (site / name).write_text("\n")  # Python 3.13 has a codec to load for any such file
     assert with_hook - {"_domeshim_gate"} == set(json.loads(run(LIST_MODULES, **variables).stdout))
 
 
