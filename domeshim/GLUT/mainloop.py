@@ -93,8 +93,8 @@ def glutSwapBuffers() -> None:
     """Show the current window's picture."""
     window = current_window("glutSwapBuffers")
     session = sessions.current()
-    draw_open_menu(glut_state(), window)
     if window.surface.format.double_buffer:
+        draw_open_menu(glut_state(), window)
         session.swapped(window.surface)
     else:
         from OpenGL import GL  # noqa: PLC0415 - its functions as they are overlaid now
@@ -133,6 +133,8 @@ def _display(state: GlutState, window: GlutWindow) -> None:
     make_current(state, window)
     session.display_begins(window.surface)
     call(state, display)
+    if not window.surface.format.double_buffer:
+        draw_open_menu(state, window)
     session.display_ended(window.surface)
 
 

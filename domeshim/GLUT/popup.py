@@ -157,9 +157,12 @@ def draw_open_menu(state: GlutState, window: GlutWindow) -> None:
     """Draw the menu over the picture of the window that it is open in."""
     if state.open_menu is None or state.open_menu.window is not window:
         return
+    from OpenGL import GL  # noqa: PLC0415 - its functions as they are overlaid now
+
     with _flat_drawing(*window.size):
         for pane in state.open_menu.panes:
             _draw_pane(pane)
+    GL.glFlush()
 
 
 def _draw_pane(pane: Pane) -> None:

@@ -50,7 +50,8 @@ class OffscreenBackend(Backend):
         Raises ScreenError where the driver has no such configuration or refuses the context.
         """
         shared = share.context if isinstance(share, OffscreenWindow) else EGL.EGL_NO_CONTEXT
-        window = OffscreenWindow(self._display, size, position or (0, 0), surface, events, shared)
+        window = OffscreenWindow(self._display, size, surface, events, shared)
+        window.move(*(position or (0, 0)))
         self._windows.append(window)
         window.make_current()
         return window
@@ -82,7 +83,6 @@ class OffscreenWindow(Window):
         self,
         display: Any,
         size: tuple[int, int],
-        position: tuple[int, int],
         surface: SurfaceFormat,
         events: WindowEvents,
         shared: Any,
@@ -90,7 +90,7 @@ class OffscreenWindow(Window):
         self.events = events
         self._display = display
         self._size = size
-        self._position = position
+        self._position = (0, 0)
         self._config, self.format = _choose_config(display, surface)
         EGL.eglBindAPI(EGL.EGL_OPENGL_API)
         self.context: Any = EGL.eglCreateContext(display, self._config, shared, None)

@@ -26,11 +26,11 @@ LEFT_OUT = {
             "freeglut",
             "logs",
             "osx",
-            "platform",
             "special",
         ],
         "a module of PyOpenGL's that its star lets through",
     ),
+    "platform": "PyOpenGL's module, not Python's",
     **dict.fromkeys(
         ("as_8_bit", "bytes", "integer_types", "long", "unicode", "logging", "ctypes_version", "sizeof"),
         "an import of PyOpenGL's for its own use",

@@ -10,50 +10,10 @@ import numpy as np
 import pytest
 
 from domeshim import GLUT
-from domeshim.GLUT.popup import ROW
 from domeshim.GLUT.state import GlutWindow
 from domeshim.options import Options
 from domeshim.session import Session
 from domeshim.window.contract import WindowEvents
-
-
-@pytest.fixture
-def window(glut_session: Session) -> GlutWindow:
-    GLUT.glutInit()
-    GLUT.glutInitDisplayMode(GLUT.GLUT_DOUBLE | GLUT.GLUT_DEPTH)
-    GLUT.glutCreateWindow("test")
-    GLUT.glutDisplayFunc(GLUT.glutSwapBuffers)
-    GLUT.glutMainLoopEvent()
-    assert glut_session.glut is not None
-    assert glut_session.glut.current is not None
-    return glut_session.glut.current
-
-
-@pytest.fixture
-def screen(window: GlutWindow) -> WindowEvents:
-    return window.surface.events
-
-
-@pytest.fixture
-def log(window: GlutWindow) -> list[tuple[Any, ...]]:
-    """Note everything that the keyboard and the mouse tell, with the modifiers."""
-    heard: list[tuple[Any, ...]] = []
-
-    def note(name: str) -> Any:
-        return lambda *args: heard.append((name, *args))
-
-    def note_input(name: str) -> Any:
-        return lambda *args: heard.append((name, *args, GLUT.glutGetModifiers()))
-
-    GLUT.glutKeyboardFunc(note_input("key"))
-    GLUT.glutKeyboardUpFunc(note_input("key up"))
-    GLUT.glutSpecialFunc(note_input("special"))
-    GLUT.glutSpecialUpFunc(note_input("special up"))
-    GLUT.glutMouseFunc(note_input("mouse"))
-    GLUT.glutMotionFunc(note("motion"))
-    GLUT.glutPassiveMotionFunc(note("passive"))
-    GLUT.glutEntryFunc(note("entry"))
-    return heard
 
 
 def hear(log: list[tuple[Any, ...]]) -> list[tuple[Any, ...]]:
@@ -238,115 +198,6 @@ def test_the_program_keeps_its_size_in_a_frame_of_another(glut_session: Session)
     assert surface.format.samples > 0
     assert sizes == [(200, 100), (100, 100)]
     assert places == [(100, 50), (50, 50)]
-
-
-def menu_rows(heard: list[Any]) -> tuple[int, int]:
-    """Make a menu of two entries and a submenu of one, on the right button; return both numbers."""
-    inner = GLUT.glutCreateMenu(lambda value: heard.append(("inner", value)))
-    GLUT.glutAddMenuEntry(b"deep", 30)
-    outer = GLUT.glutCreateMenu(lambda value: heard.append(("outer", value)))
-    GLUT.glutAddMenuEntry("first", 10)
-    GLUT.glutAddMenuEntry("second", 20)
-    GLUT.glutAddSubMenu("more", inner)
-    GLUT.glutAttachMenu(GLUT.GLUT_RIGHT_BUTTON)
-    return inner, outer
-
-
-def click(screen: WindowEvents, x: float, y: float, button: int = 0) -> None:
-    screen.pointer_moved(x, y)
-    screen.button(button, True, 0)
-    screen.button(button, False, 0)
-
-
-def test_a_menu_opens_is_chosen_from_and_closes(screen: WindowEvents, log: list[Any]) -> None:
-    menu_rows(log)
-    GLUT.glutMenuStateFunc(lambda status: log.append(("state", status)))
-    click(screen, 20, 30, button=1)
-    click(screen, 30, 30 + 1.5 * ROW)
-    assert [event for event in hear(log) if event[0] != "passive"] == [
-        ("state", GLUT.GLUT_MENU_IN_USE),
-        ("state", GLUT.GLUT_MENU_NOT_IN_USE),
-        ("outer", 20),
-        ("mouse", GLUT.GLUT_LEFT_BUTTON, GLUT.GLUT_UP, 30, 57, 0),
-    ]
-
-
-def test_a_menu_entry_is_chosen_by_releasing_the_button_over_it(screen: WindowEvents, log: list[Any]) -> None:
-    menu_rows(log)
-    screen.pointer_moved(20, 30)
-    screen.button(1, True, 0)
-    screen.pointer_moved(30, 30 + 1.5 * ROW)
-    screen.button(1, False, 0)
-    assert hear(log)[-1] == ("outer", 20)
-
-
-def test_submenus_open_beside_their_entry(screen: WindowEvents, log: list[Any], window: GlutWindow) -> None:
-    menu_rows(log)
-    click(screen, 20, 30, button=1)
-    screen.pointer_moved(30, 30 + 2.5 * ROW)
-    GLUT.glutMainLoopEvent()
-    from domeshim import session as sessions
-
-    glut = sessions.current().glut
-    assert glut is not None
-    pane = glut.open_menu.panes[1]
-    click(screen, pane.x + 5, pane.y + 5)
-    assert ("inner", 30) in hear(log)
-    assert glut.open_menu is None
-
-
-def test_a_press_beside_the_menu_closes_it_and_tells_nothing(screen: WindowEvents, log: list[Any]) -> None:
-    menu_rows(log)
-    click(screen, 20, 30, button=1)
-    click(screen, 250, 190)
-    click(screen, 20, 31)
-    assert [event[0] for event in hear(log) if event[0] != "passive"] == ["mouse", "mouse", "mouse"]
-
-
-def test_an_open_menu_is_drawn_and_leaves_no_trace_in_gl(screen: WindowEvents, log: list[Any]) -> None:
-    from OpenGL import GL
-
-    pictures: list[Any] = []
-
-    def display() -> None:
-        GL.glClearColor(0, 0, 0, 1)
-        GL.glClear(GL.GL_COLOR_BUFFER_BIT)
-        GLUT.glutSwapBuffers()
-        pixels = GL.glReadPixels(0, 0, 256, 192, GL.GL_RGB, GL.GL_UNSIGNED_BYTE)
-        pictures.append(np.frombuffer(pixels, np.uint8).reshape(192, 256, 3)[::-1])
-
-    GLUT.glutDisplayFunc(display)
-    menu_rows(log)
-    GL.glMatrixMode(GL.GL_TEXTURE)
-    GL.glEnable(GL.GL_LIGHTING)
-    click(screen, 20, 30, button=1)
-    GLUT.glutMainLoopEvent()
-    assert pictures[-1][31, 22].tolist() == [191, 191, 191]  # three quarters of white
-    assert (pictures[-1][30:48, 26:66] == 0).any()  # letters
-    assert pictures[-1][29, 22].tolist() == [0, 0, 0]
-    assert GL.glGetIntegerv(GL.GL_MATRIX_MODE) == GL.GL_TEXTURE
-    assert GL.glIsEnabled(GL.GL_LIGHTING)
-    click(screen, 250, 190)
-    GLUT.glutMainLoopEvent()
-    assert not pictures[-1].any()
-
-
-def test_menus_can_be_changed(window: GlutWindow) -> None:
-    heard: list[Any] = []
-    inner, outer = menu_rows(heard)
-    assert GLUT.glutGetMenu() == outer
-    assert GLUT.glutGet(GLUT.GLUT_MENU_NUM_ITEMS) == 3
-    GLUT.glutChangeToMenuEntry(3, "plain", 40)
-    GLUT.glutRemoveMenuItem(1)
-    GLUT.glutChangeToSubMenu(1, "deeper", inner)
-    assert GLUT.glutGet(GLUT.GLUT_MENU_NUM_ITEMS) == 2
-    GLUT.glutMenuDestroyFunc(lambda: heard.append("gone"))
-    GLUT.glutDestroyMenu(outer)
-    assert heard == ["gone"]
-    assert GLUT.glutGetMenu() == 0
-    assert window.menus == {}
-    GLUT.glutSetMenu(inner)
-    assert GLUT.glutGetMenu() == inner
 
 
 def test_the_user_closing_a_window_ends_the_program(screen: WindowEvents, log: list[Any]) -> None:

@@ -237,3 +237,37 @@ def test_without_a_display_one_line_says_what_to_do(tmp_path: Path) -> None:
     assert done.stderr.count("\n") == 1
     for word in ("DISPLAY", "WAYLAND_DISPLAY", "domeshim capture"):
         assert word in done.stderr
+
+
+FULL = """
+from domeshim import session
+from domeshim.options import Options
+session.begin(session.Session(Options(enabled=True, display={display})))
+import sys
+from domeshim.GLUT import *
+glutInit()
+glutInitDisplayMode(GLUT_DOUBLE)
+glutInitWindowSize(200, 100)
+glutCreateWindow("full")
+def display():
+    glutSwapBuffers()
+    print(session.current().glut.current.surface.size, glutGet(GLUT_WINDOW_WIDTH), flush=True)
+    glutLeaveMainLoop()
+glutDisplayFunc(display)
+glutReshapeFunc(print)
+glutTimerFunc(2000, sys.exit, 9)
+glutMainLoop()
+"""
+
+
+@needs_xvfb
+def test_the_dome_display_is_covered_and_the_program_keeps_its_size(tmp_path: Path) -> None:
+    done = run_on_screen(tmp_path, FULL.format(display=0))
+    assert (done.returncode, done.stdout, done.stderr) == (0, "200 100\n(800, 600) 200\n", "")
+
+
+@needs_xvfb
+def test_a_display_that_is_not_there_is_one_line(tmp_path: Path) -> None:
+    done = run_on_screen(tmp_path, FULL.format(display=5))
+    assert done.returncode == 1
+    assert done.stderr == "domeshim (foo): ERROR: there is no display 5: 1 found, counted from 0\n"
