@@ -124,7 +124,7 @@ def test_a_hook_without_its_gate_does_not_stop_python(run, site):
 def test_a_broken_installation_without_stderr_does_not_stop_python(bare_python, site, tmp_path):
     _folder_gone(site)
     out = tmp_path / "out"
-    shell = f"DOME=1 '{bare_python}' -c 'open(\"{out}\", \"w\").write(\"here\")' 2>&-"
+    shell = f'DOME=1 \'{bare_python}\' -c \'open("{out}", "w").write("here")\' 2>&-'
     assert subprocess.run(shell, shell=True, timeout=60).returncode == 0
     assert out.read_text() == "here"
 
