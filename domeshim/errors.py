@@ -36,5 +36,5 @@ class ShaderError(DomeError):
     """The driver refused a shader; quotes its words with the snippet's file and line."""
 
 
-class ProgramFinished(SystemExit):  # noqa: N818 - not an error, and a SystemExit so that programs let it pass
+class ProgramFinished(SystemExit):
     """Ends the user's program from inside: the last wanted frame has been taken."""

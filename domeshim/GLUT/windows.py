@@ -75,7 +75,7 @@ def open_window(
             title,
             frame or size,
             position,
-            _surface_format(state, options.enabled),
+            _surface_format(state, session.backend.dome_samples if options.enabled else 0),
             events,
             share=shares.surface if shares else None,
         )
@@ -95,7 +95,7 @@ def open_window(
     return window
 
 
-def _surface_format(state: GlutState, dome: bool) -> SurfaceFormat:
+def _surface_format(state: GlutState, dome_samples: int) -> SurfaceFormat:
     """Return what the program asked for and no more: without a depth buffer nothing is hidden, as there."""
     mode = state.display_mode
     multisampled = mode & c.GLUT_MULTISAMPLE
@@ -106,7 +106,7 @@ def _surface_format(state: GlutState, dome: bool) -> SurfaceFormat:
         alpha=bool(mode & c.GLUT_ALPHA),
         accumulation=bool(mode & c.GLUT_ACCUM),
         stereo=bool(mode & c.GLUT_STEREO),
-        samples=state.samples if multisampled else 4 if dome else 0,
+        samples=state.samples if multisampled else dome_samples,
     )
 
 

@@ -131,7 +131,7 @@ class Submitter:
         gl.glBindBuffer(_ARRAY_BUFFER, self._buffer)
 
     def _upload(self, run: Run) -> None:
-        """Positions and attributes, one below the other, into the buffer; the pointers to where each begins."""
+        """Positions and attributes into the buffer, one below the other; the pointers to where each is."""
         gl = self._driver
         wanted = {"vertex", *run.attributes}
         for name in wanted - self._enabled:

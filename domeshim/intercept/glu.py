@@ -22,7 +22,7 @@ def replacements(session: Session, module: ModuleType) -> dict[str, Call]:
     if not isinstance(dome, Dome):
         return {}
     return {
-        name: gl.after_recorded(dome, name, _CALLS.get(name, lambda _dome, call: call)(dome, original))
+        name: gl.after_recorded(dome, name, _CALLS[name](dome, original) if name in _CALLS else original)
         for name, original in vars(module).items()
         if name.startswith("glu") and callable(original) and name not in _UNSEEN
     }

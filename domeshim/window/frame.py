@@ -35,6 +35,7 @@ class Frame:
         """The viewport's place where the program's window lies undistorted in the centre square."""
         x0, y0, side, _ = self.square
         scale = side / max(self.program_size)
-        left, bottom = (x0 + (side - scale * self.program_size[0]) / 2, y0 + (side - scale * self.program_size[1]) / 2)
+        width, height = self.program_size
+        left, bottom = x0 + (side - scale * width) / 2, y0 + (side - scale * height) / 2
         x, y, w, h = viewport
         return round(left + scale * x), round(bottom + scale * y), round(scale * w), round(scale * h)

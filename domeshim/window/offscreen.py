@@ -22,6 +22,7 @@ class OffscreenBackend(Backend):
     """Opens pixel buffers; each has a context of its own and is as large as it was asked to be."""
 
     name = "offscreen"
+    dome_samples = 0  # Mesa's software rasteriser puts a multisampled line up to a pixel beside its place
 
     def __init__(self) -> None:
         """Connect to the first EGL platform that offers a desktop GL.

@@ -31,6 +31,7 @@ class ScreenBackend(Backend):
     """Opens windows on the display. X11 is tried before Wayland, which can place no window."""
 
     name = "screen"
+    dome_samples = 4
 
     def __init__(self) -> None:
         """Connect to the display.

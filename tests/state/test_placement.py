@@ -65,7 +65,7 @@ def test_of_two_perspectives_the_one_inside_is_taken():
 def test_fill_widens_the_programs_own_view():
     placement = known(fill=90.0).place(P, None, FULL, FRAME)
     top = np.array([0, np.tan(np.radians(22.5)), -1, 1])
-    x, y, z, _ = matrix(placement) @ top
+    _, y, z, _ = matrix(placement) @ top
     assert np.degrees(np.arctan2(y, -z)) == pytest.approx(45)
 
 
