@@ -24,9 +24,9 @@ class Source:
     """(first line, snippet), rising; the snippet's own line 1 is that line of the text, counted from 1."""
 
     @classmethod
-    def join(cls, parts: Iterable[tuple[str, str]]) -> Source:
+    def join(cls, parts: Iterable[tuple[str, str]], version: str = VERSION) -> Source:
         """Put named parts, (snippet, text), below each other, under the version line."""
-        lines, starts = [VERSION], []
+        lines, starts = [version], []
         for name, text in parts:
             starts.append((len(lines) + 1, name))
             lines += text.rstrip("\n").split("\n")
@@ -39,23 +39,38 @@ class Source:
 
 
 @dataclass
-class _Draft:
+class Draft:
+    """A shader in the making: the snippets that it needs, and the statements of its main()."""
+
     snippets: list[str] = field(default_factory=list)
     statements: list[str] = field(default_factory=list)
 
     def need(self, name: str) -> None:
+        """Put a snippet in, once."""
         if name not in self.snippets:
             self.snippets.append(name)
 
     def add(self, *statements: str) -> None:
+        """Put statements at the end of main()."""
         self.statements.extend(statements)
+
+    def source(self, version: str = VERSION) -> Source:
+        """The shader's text."""
+        main = "\n".join(["void main() {", *(f"    {s}" for s in self.statements), "}"])
+        return Source.join([*((name, snippet(name)) for name in self.snippets), ("main", main)], version)
 
 
 def compose(recipe: Recipe) -> Source:
     """The vertex shader for a recipe."""
-    draft = _Draft()
+    draft = Draft()
     draft.add("vec4 eye = gl_ModelViewMatrix * gl_Vertex;")
     _position(draft, recipe)
+    add_attributes(draft, recipe)
+    return draft.source()
+
+
+def add_attributes(draft: Draft, recipe: Recipe) -> None:
+    """All that a vertex carries beside its position; needs the statement that makes eye before it."""
     _clip_planes(draft, recipe.scene)
     _normal(draft, recipe.scene)
     _color(draft, recipe.scene)
@@ -65,15 +80,9 @@ def compose(recipe: Recipe) -> Source:
     if recipe.scene.point_attenuation:
         draft.need("point/attenuated")
         draft.add("gl_PointSize = pointSize(eye);")
-    return _write(draft)
 
 
-def _write(draft: _Draft) -> Source:
-    main = "\n".join(["void main() {", *(f"    {s}" for s in draft.statements), "}"])
-    return Source.join([*((name, snippet(name)) for name in draft.snippets), ("main", main)])
-
-
-def _position(draft: _Draft, recipe: Recipe) -> None:
+def _position(draft: Draft, recipe: Recipe) -> None:
     mapping = recipe.mapping
     draft.need(f"place/{mapping.place}")
     draft.add("vec4 place = placed(eye);")
@@ -94,7 +103,7 @@ def _position(draft: _Draft, recipe: Recipe) -> None:
         )
 
 
-def _panel_position(draft: _Draft, recipe: Recipe) -> None:
+def _panel_position(draft: Draft, recipe: Recipe) -> None:
     draft.need("bend/panel")
     draft.need("clip/panel")
     draft.add(
@@ -110,20 +119,20 @@ def _panel_position(draft: _Draft, recipe: Recipe) -> None:
     )
 
 
-def _clip_planes(draft: _Draft, scene: Scene) -> None:
+def _clip_planes(draft: Draft, scene: Scene) -> None:
     if scene.clip_planes:
         draft.need("clip/plane")
     draft.add(*(f"gl_ClipDistance[{i}] = abovePlane({i}, eye);" for i in scene.clip_planes))
 
 
-def _normal(draft: _Draft, scene: Scene) -> None:
+def _normal(draft: Draft, scene: Scene) -> None:
     mapped = any(g in ("sphere", "reflection", "normal") for t in scene.textures for g in t.generated)
     if scene.lighting or mapped:
         draft.need(f"light/normal_{scene.normals}")
         draft.add("vec3 normal = eyeNormal();")
 
 
-def _color(draft: _Draft, scene: Scene) -> None:
+def _color(draft: Draft, scene: Scene) -> None:
     if scene.lighting is None:
         draft.add("gl_FrontColor = gl_Color;")
         if scene.secondary_color:
@@ -136,7 +145,7 @@ def _color(draft: _Draft, scene: Scene) -> None:
         _lit_face(draft, scene.lighting, "Back", "-normal")
 
 
-def _lit_face(draft: _Draft, lighting: Lighting, face: str, normal: str) -> None:
+def _lit_face(draft: Draft, lighting: Lighting, face: str, normal: str) -> None:
     surface = face.lower()
     draft.need("light/surface")
     draft.add(f"Surface {surface} = surfaceOf(gl_{face}Material, {normal});")
@@ -155,7 +164,7 @@ def _followed(material: ColorMaterial | None, surface: str) -> Iterator[str]:
             yield f"{surface}.{part} = gl_Color;"
 
 
-def _light(draft: _Draft, light: Light, surface: str) -> None:
+def _light(draft: Draft, light: Light, surface: str) -> None:
     if light.kind != "directional":
         draft.need("light/positional")
     draft.need(f"light/{light.kind}")
@@ -171,7 +180,7 @@ _TEXGEN = {
 }
 
 
-def _texture(draft: _Draft, texture: Texture) -> None:
+def _texture(draft: Draft, texture: Texture) -> None:
     u = texture.unit
     draft.add(f"vec4 texture{u} = gl_MultiTexCoord{u};")
     for axis, generated in zip("strq", texture.generated, strict=True):
@@ -185,7 +194,7 @@ def _texture(draft: _Draft, texture: Texture) -> None:
     )
 
 
-def _fog(draft: _Draft, recipe: Recipe) -> None:
+def _fog(draft: Draft, recipe: Recipe) -> None:
     fog = recipe.scene.fog
     if fog is None:
         return

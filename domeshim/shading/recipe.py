@@ -80,6 +80,10 @@ class Recipe:
 
     mapping: Mapping = Mapping()
     scene: Scene = Scene()
+    patch: Literal["triangles", "lines"] | None = None
+    """What is subdivided on the GPU, if anything."""
+    flat: bool = False
+    """GL_FLAT: the pieces of a subdivided primitive all have the colour of its last vertex."""
 
     @property
     def clip_distances(self) -> tuple[int, ...]:
