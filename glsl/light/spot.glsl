@@ -1,6 +1,6 @@
 // A light at a place that shines into a cone.
 void lightSpot(int i, vec4 eye, vec3 viewer, inout Surface s) {
-    vec3 away = gl_LightSource[i].position.xyz / gl_LightSource[i].position.w - eye.xyz / eye.w;
+    vec3 away = gl_LightSource[i].position.xyz / gl_LightSource[i].position.w - eye.xyz;
     float r = length(away);
     vec3 toLight = r > 0.0 ? away / r : away;
     float along = dot(-toLight, normalize(gl_LightSource[i].spotDirection));

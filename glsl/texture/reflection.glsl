@@ -1,4 +1,4 @@
 // Coordinates of GL_REFLECTION_MAP.
 vec4 reflectionMap(vec4 eye, vec3 normal) {
-    return vec4(reflect(normalize(eye.xyz / eye.w), normal), 1.0);
+    return vec4(reflect(normalize(eye.xyz), normal), 1.0);
 }
