@@ -13,9 +13,11 @@ demo: $(VENV)/installed
 	@if [ -n "$$DISPLAY$$WAYLAND_DISPLAY" ]; then \
 		DOME=1 $(BIN)/python $(DEMO); \
 	else \
-		$(BIN)/domeshim capture --mode monitor --output $(PICTURES)/monitor.png $(DEMO) && \
-		$(BIN)/domeshim capture --mode dome --output $(PICTURES)/dome.png $(DEMO) && \
-		echo "No display here: the pictures are $(PICTURES)/monitor.png and $(PICTURES)/dome.png"; \
+		for place in far closer closest; do for mode in monitor dome; do \
+			picture=$(PICTURES)/teapots-$$place-$$mode.png; \
+			$(BIN)/domeshim capture --mode $$mode --output $$picture $(DEMO) $$place || exit; \
+			echo "No display here; wrote $$picture"; \
+		done; done; \
 	fi
 
 test: $(VENV)/developed debian check-style
