@@ -21,6 +21,7 @@ _IN_THE_WAY = (
     0x8C89,  # GL_RASTERIZER_DISCARD
     *range(0x3000, 0x3008),  # GL_CLIP_PLANEi
 )
+_CURRENT_PROGRAM = 0x8B8D
 _FRONT_AND_BACK, _FILL, _TRIANGLES = 0x0408, 0x1B02, 0x0004
 
 
@@ -39,6 +40,7 @@ class Rim:
         """Blacken all of the frame outside the disc; radius: of the picture, 1 the inscribed circle."""
         gl = self._driver
         x, y, side, _ = frame.square
+        program = gl.integer(_CURRENT_PROGRAM)
         gl.glPushAttrib(_ALL_ATTRIBUTES)
         for capability in _IN_THE_WAY:
             gl.glDisable(capability)
@@ -48,5 +50,5 @@ class Rim:
         gl.glUseProgram(self._program.name)
         self._program.set("domeDisc", (x + side / 2, y + side / 2, radius * side / 2))
         gl.glDrawArrays(_TRIANGLES, 0, 3)
-        gl.glUseProgram(0)
+        gl.glUseProgram(program)
         gl.glPopAttrib()

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from domeshim.intercept import recorded, shaders
 from domeshim.intercept.dome import Dome
 from domeshim.intercept.lists import call_list, call_lists, delete_lists, end_list, new_list
 from domeshim.record.attributes import setter
@@ -35,10 +36,8 @@ _TEXTURES = re.compile(r"glTexGen(|[dfi]v?)")
 _REST = re.compile(r"gl(Fog(|[fi]v?)|PointParameter(|[fi]v?))")
 _LOADS = re.compile(r"gl(Load|Mult)(Transpose)?Matrix[df]?")
 _GETS = re.compile(r"glGet(Boolean|Double|Float|Integer)(v|)|glIsEnabled")
-_READS = re.compile(r"glReadPixels\w*|glCopyTex\w+|glAccum|glClear")
+_READS = re.compile(r"glGetHandle|glReadPixels\w*|glCopyTex\w+|glAccum|glClear")
 _RECTS = re.compile(r"glRect[dfis](v?)")
-_INSIDE = re.compile(r"gl(Material|EvalCoord|EvalPoint|ArrayElement|CallLists?|VertexAttrib|Index)\w*")
-"""Legal between glBegin and glEnd, beside the attributes."""
 _UNSEEN = re.compile(r"glGetError|glGetString\w*|glCheckError|glInit\w+")
 """Neither changes anything nor depends on what was drawn."""
 
@@ -56,7 +55,7 @@ _TOUCHED = frozenset(
     )
 )
 """What the dome changes while it draws: before the program asks for one of these it is put back."""
-_COMPILE_AND_EXECUTE, _RENDER, _POLYGON, _TEXTURE0, _PROJECTION = 0x1301, 0x1C00, 0x0009, 0x84C0, 0x1701
+_RENDER, _TEXTURE0, _PROJECTION = 0x1C00, 0x84C0, 0x1701
 
 
 def replacements(session: Session, module: ModuleType) -> dict[str, Call]:
@@ -105,13 +104,11 @@ def _dome_call(dome: Dome, name: str, original: Call) -> Call:
     attribute = setter(plain_name)
     if attribute is not None:
         return recorder.recording(attribute)
-    if plain_name == "glBegin":
-        return _begin(dome)
-    if plain_name == "glEnd":
-        return _end(dome, original)
+    if plain_name in ("glBegin", "glEnd"):
+        return (recorded.begin if plain_name == "glBegin" else recorded.end)(dome, original)
     rectangle = _RECTS.fullmatch(plain_name)
     if rectangle:
-        return _rectangle(dome, vector=bool(rectangle[1]))
+        return recorded.rectangle(dome, vector=bool(rectangle[1]))
     return after_recorded(dome, plain_name, _meaning(dome, plain_name, original))
 
 
@@ -124,60 +121,18 @@ def _meaning(dome: Dome, name: str, original: Call) -> Call:
 def after_recorded(dome: Dome, name: str, call: Call) -> Call:
     """The call, once GL has seen what was recorded before it."""
     recorder, pending = dome.recorder, dome.recorder.pending()
-    inside = bool(_INSIDE.fullmatch(name))
+    within = recorded.within(dome, name, call)
 
     def after(*args: Any, **named: Any) -> Any:
         if pending():
-            if inside and recorder.block is not None:
-                return recorder.inside(lambda: call(*args, **named))
+            if recorder.block is not None:
+                return within(*args, **named)
             dome.flush()
-        elif inside and recorder.block is not None:
-            return recorder.inside(lambda: call(*args, **named))
-        if dome.lists is not None and dome.lists.building is not None:
-            dome.lists.building.used = True
+        if dome.building is not None:
+            dome.building.used = True
         return call(*args, **named)
 
     return after
-
-
-# Recorded.
-
-
-def _begin(dome: Dome) -> Call:
-    recorder = dome.recorder
-
-    def begin(mode: int) -> None:
-        recorder.begin(mode)
-
-    return begin
-
-
-def _end(dome: Dome, original: Call) -> Call:
-    recorder = dome.recorder
-
-    def end() -> None:
-        if recorder.block is None:
-            original()  # GL's own error
-            return
-        recorder.end()
-        if recorder.blocks and recorder.blocks[-1].extras:
-            dome.flush()
-
-    return end
-
-
-def _rectangle(dome: Dome, *, vector: bool) -> Call:
-    recorder = dome.recorder
-
-    def rectangle(x1: float, y1: float, x2: float, y2: float) -> None:
-        recorder.begin(_POLYGON)
-        recorder.positions.extend((x1, y1, 0.0, x2, y1, 0.0, x2, y2, 0.0, x1, y2, 0.0))
-        recorder.end()
-
-    def corners(v1: Any, v2: Any) -> None:
-        rectangle(v1[0], v1[1], v2[0], v2[1])
-
-    return corners if vector else rectangle
 
 
 # Passed on.
@@ -190,7 +145,7 @@ def kept_in_lists(make: Maker) -> Maker:
         call = make(dome, original)
 
         def maybe_kept(*args: Any, **named: Any) -> Any:
-            if dome.lists is not None and dome.lists.building is not None:
+            if dome.building is not None and dome.lists is not None:
                 kept = copy.deepcopy(args)
                 return dome.lists.keep(lambda: call(*kept, **named))
             return call(*args, **named)
@@ -286,8 +241,8 @@ def _matrix_mode(dome: Dome, original: Call) -> Call:
     kept = kept_in_lists(lambda _dome, _original: set_mode)(dome, original)
 
     def call(mode: int) -> Any:
-        if dome.lists is not None and dome.lists.building is not None:
-            dome.lists.building.matrix_mode = int(mode)
+        if dome.building is not None:
+            dome.building.matrix_mode = int(mode)
         return kept(mode)
 
     return call
@@ -317,7 +272,7 @@ def _load_matrix(dome: Dome, original: Call) -> Call:
     kept = kept_in_lists(lambda _dome, _original: load)(dome, original)
 
     def call(m: Any) -> Any:
-        building = dome.lists.building if dome.lists is not None else None
+        building = dome.building
         return kept(m) if building is None or building.matrix_mode == _PROJECTION else original(m)
 
     return call
@@ -334,20 +289,6 @@ def _attributes(dome: Dome, original: Call) -> Call:
         result = original(*args)
         context.anything_changed()
         return result
-
-    return call
-
-
-def _use_program(dome: Dome, original: Call) -> Call:
-    def call(program: Any) -> Any:
-        context = dome.context
-        if context is not None:
-            context.bypass("program", on=bool(program))
-            if program:
-                context.say_once(
-                    "the program's own GLSL shaders are not bent onto the dome; they draw as on the monitor"
-                )
-        return original(program)
 
     return call
 
@@ -378,8 +319,12 @@ _SPECIAL: Mapping[str, Maker] = {
     "glDeleteLists": delete_lists,
     "glPushAttrib": kept_in_lists(_attributes),
     "glPopAttrib": kept_in_lists(_attributes),
-    "glUseProgram": kept_in_lists(_use_program),
-    "glUseProgramObject": kept_in_lists(_use_program),
+    "glLinkProgram": shaders.link_program,
+    "glUseProgram": kept_in_lists(shaders.use_program),
+    "glUseProgramObject": kept_in_lists(shaders.use_program),
+    "glDeleteProgram": shaders.delete_program,
+    "glDeleteObject": shaders.delete_program,
+    "glUniformMatrix4fv": shaders.uniform_matrix,
     "glRenderMode": _render_mode,
     "glClear": kept_in_lists(_read),
 }

@@ -18,28 +18,14 @@ _COMPILE_STATUS, _LINK_STATUS, _INFO_LOG_LENGTH = 0x8B81, 0x8B82, 0x8B84
 _PLACE_IN_LOG = re.compile(r"\b0(?::(\d+)|\((\d+)\))")
 
 
-class Program:
-    """A linked program of one GL context.
+class Uniforms:
+    """The uniforms of a linked program of one GL context."""
 
-    Raises ShaderError with the driver's words, each place in them named by our file and line.
-    """
-
-    def __init__(self, driver: Driver, vertex: Source, fragment: Source | None = None) -> None:
+    def __init__(self, driver: Driver, program: int) -> None:
         self._driver = driver
         self._locations: dict[str, int] = {}
         self._sent: dict[str, tuple[float, ...]] = {}
-        self.name: int = driver.glCreateProgram()
-        stages = [(_VERTEX, vertex)] + ([(_FRAGMENT, fragment)] if fragment else [])
-        for stage, source in stages:
-            shader = _compile(driver, stage, source)
-            driver.glAttachShader(self.name, shader)
-            driver.glDeleteShader(shader)  # goes with the program
-        driver.glLinkProgram(self.name)
-        linked = c_int()
-        driver.glGetProgramiv(self.name, _LINK_STATUS, linked)
-        if not linked:
-            log = _log(driver.glGetProgramiv, driver.glGetProgramInfoLog, self.name)
-            raise ShaderError("the driver refused to link: " + explain(log, vertex))
+        self.name = program
 
     def set(self, uniform: str, values: Sequence[float]) -> None:
         """Give a uniform its value; the program must be bound. Unchanged values are not sent again.
@@ -65,6 +51,27 @@ class Program:
                 self._driver.glUniformMatrix4fv(location, 1, 0, data)
             case count:
                 self._driver.glUniform1fv(location, count, data)
+
+
+class Program(Uniforms):
+    """A linked program of one GL context.
+
+    Raises ShaderError with the driver's words, each place in them named by our file and line.
+    """
+
+    def __init__(self, driver: Driver, vertex: Source, fragment: Source | None = None) -> None:
+        super().__init__(driver, driver.glCreateProgram())
+        stages = [(_VERTEX, vertex)] + ([(_FRAGMENT, fragment)] if fragment else [])
+        for stage, source in stages:
+            shader = _compile(driver, stage, source)
+            driver.glAttachShader(self.name, shader)
+            driver.glDeleteShader(shader)  # goes with the program
+        driver.glLinkProgram(self.name)
+        linked = c_int()
+        driver.glGetProgramiv(self.name, _LINK_STATUS, linked)
+        if not linked:
+            log = _log(driver.glGetProgramiv, driver.glGetProgramInfoLog, self.name)
+            raise ShaderError("the driver refused to link: " + explain(log, vertex))
 
 
 def explain(log: str, source: Source) -> str:

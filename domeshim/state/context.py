@@ -18,13 +18,14 @@ from domeshim.options import Options
 from domeshim.shading.compose import compose
 from domeshim.shading.program import Program
 from domeshim.shading.recipe import Mapping, Recipe, Scene
+from domeshim.state.own_programs import OwnPrograms
 from domeshim.state.perspective import Matrix
 from domeshim.state.placement import Placement, Placer
 from domeshim.state.scene import GL_CLIP_PLANE0, GL_COLOR_SUM, GROUPS, SceneState
 from domeshim.window.frame import Frame, Rectangle
 
 _VIEWPORT, _MATRIX_MODE, _MODELVIEW, _PROJECTION, _TEXTURE = 0x0BA2, 0x0BA0, 0x1700, 0x1701, 0x1702
-_MODELVIEW_MATRIX, _PROJECTION_MATRIX = 0x0BA6, 0x0BA7
+_MODELVIEW_MATRIX, _PROJECTION_MATRIX, _CURRENT_PROGRAM = 0x0BA6, 0x0BA7, 0x8B8D
 _SCISSOR_TEST, _SCISSOR_BOX = 0x0C11, 0x0C10
 _VERTEX_PROGRAM_TWO_SIDE, _PROGRAM_POINT_SIZE, _RASTERIZER_DISCARD = 0x8643, 0x8642, 0x8C89
 
@@ -49,6 +50,7 @@ class DomeContext:
         self.rim = rim_radius(self.lens, options.fov)
         self.placer = Placer(options)
         self.scene = SceneState(driver)
+        self.own = OwnPrograms(driver, options, self.lens)
         self.compiling = False
         """A display list is being compiled: nothing of ours may get into it."""
         self._options = options
@@ -59,6 +61,7 @@ class DomeContext:
         self._matrix_mode = driver.integer(_MATRIX_MODE)
         self._viewport: Rectangle = (0, 0, *frame.program_size)
         self._placement: Placement | None = None
+        self._projection: Matrix = np.eye(4)
         self._dressing: _Dressing | None = None
 
     # What a call changed.
@@ -91,6 +94,32 @@ class DomeContext:
         """The current matrix stack is PROJECTION."""
         return self._matrix_mode == _PROJECTION
 
+    def program_used(self, name: int) -> None:
+        """The program has bound a GLSL program of its own, or 0."""
+        self.own.use(name)
+        self._bypass_own(name)
+
+    def program_linked(self, name: int, original: Callable[[], object]) -> None:
+        """The program links one of its own; original: its own call."""
+        self.undress()
+        self.own.link(name, original)
+        if self.driver.integer(_CURRENT_PROGRAM) == name:
+            self._bypass_own(name)
+
+    def matrix_sent(self, location: int) -> None:
+        """The program has sent a matrix to a uniform of its own."""
+        p = self.own.matrix_sent(location)
+        if p is not None:
+            self.placer.perspective_set(p, on_modelview=False)
+            self._projection_stale = True
+
+    def _bypass_own(self, name: int) -> None:
+        self.bypass("program", on=name != 0 and self.own.current is None)
+        self._projection_stale = True
+        if "program" in self._bypasses:
+            why = self.own.complaints.get(name, "not linked from GLSL that could be seen")
+            self.say_once(f"the program's own GLSL is not bent and draws as on the monitor: {why}")
+
     def bypass(self, reason: str, on: bool) -> None:
         """While any reason is on, draws go to GL as the program makes them."""
         (self._bypasses.add if on else self._bypasses.discard)(reason)
@@ -106,7 +135,10 @@ class DomeContext:
 
     def dress(self) -> None:
         """Make the next draws land on the dome; call before each."""
-        if self.compiling or self._bypasses:
+        if self.compiling:
+            return
+        if self._bypasses:
+            self.own.leave_straight(self._planes)
             return
         if self._stale:
             self.undress()
@@ -129,6 +161,10 @@ class DomeContext:
             gl.glViewport(*self._viewport)
         if dressing.program:
             gl.glUseProgram(0)
+
+    @property
+    def _planes(self) -> tuple[int, ...]:
+        return self.scene.scene().clip_planes if self.own.current is not None else ()
 
     @property
     def _stale(self) -> bool:
@@ -156,7 +192,8 @@ class DomeContext:
         self._viewport = (x, y, w, h)
         self._projection_stale = False
         modelview = self._matrix(_MODELVIEW_MATRIX) if self.placer.on_modelview else None
-        return self.placer.place(self._matrix(_PROJECTION_MATRIX), modelview, self._viewport, self.frame)
+        self._projection = self.own.projection(self._matrix(_PROJECTION_MATRIX))
+        return self.placer.place(self._projection, modelview, self._viewport, self.frame)
 
     def _matrix(self, name: int) -> Matrix:
         return np.array(self.driver.doubles(name, 16)).reshape(4, 4).T
@@ -169,6 +206,10 @@ class DomeContext:
         gl = self.driver
         if flat:
             enables, viewport = (), self.frame.flat(self._viewport)
+            self.own.leave_straight(scene.clip_planes)
+        elif self.own.current is not None:
+            enables = self.own.bend(placement, self._projection, scene.clip_planes)
+            enables, viewport = (*enables, *self._discard(placement)), self.frame.square
         else:
             recipe = self._recipe(placement, scene)
             enables, viewport = self._enables(recipe, placement), self.frame.square
@@ -205,9 +246,10 @@ class DomeContext:
             wanted.append(GL_COLOR_SUM)
         if recipe.scene.point_attenuation:
             wanted.append(_PROGRAM_POINT_SIZE)
-        if placement.hud and self._options.hud == "off":
-            wanted.append(_RASTERIZER_DISCARD)
-        return tuple(wanted)
+        return (*wanted, *self._discard(placement))
+
+    def _discard(self, placement: Placement) -> tuple[int, ...]:
+        return (_RASTERIZER_DISCARD,) if placement.hud and self._options.hud == "off" else ()
 
     def _bind(self, recipe: Recipe, placement: Placement) -> int:
         program = self._programs.get(recipe)

@@ -1,0 +1,115 @@
+"""While a program's own GLSL is linked, the shader that leaves gl_Position stands exchanged for one of ours.
+
+The shader objects keep the program's text, before and after, and so do all logs: only what is linked is ours.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from ctypes import c_char_p, c_int, c_uint, create_string_buffer
+from dataclasses import dataclass
+
+from domeshim.driver import Driver
+from domeshim.shading.own import Landing, Rewritten, Stage, has_main, rewritten, uses_projection
+from domeshim.shading.program import Uniforms
+from domeshim.state.perspective import Matrix
+
+_STAGES: Mapping[int, Stage] = {0x8DD9: "geometry", 0x8E87: "evaluation", 0x8B31: "vertex"}
+"""The stages that can leave gl_Position, the last first."""
+_SHADER_TYPE, _COMPILE_STATUS, _LINK_STATUS = 0x8B4F, 0x8B81, 0x8B82
+_ATTACHED_SHADERS, _SOURCE_LENGTH = 0x8B85, 0x8B88
+
+
+class OwnProgram(Uniforms):
+    """A linked program of the program's own whose positions end on the dome."""
+
+    def __init__(self, driver: Driver, name: int, *, cut: bool, own_matrices: bool) -> None:
+        super().__init__(driver, name)
+        self.cut = cut
+        """It cuts by CLIP_DISTANCES."""
+        self.own_matrices = own_matrices
+        """Its projection, if any, is in a uniform of its own."""
+        self.perspective: Matrix | None = None
+        """The perspective last seen in such a uniform."""
+
+
+@dataclass(frozen=True)
+class Linked:
+    """What became of a link: the program on the dome, or why it is not there."""
+
+    program: OwnProgram | None
+    complaint: str | None = None
+
+
+@dataclass(frozen=True)
+class _Shader:
+    name: int
+    stage: Stage
+    text: str
+
+
+def link(driver: Driver, program: int, landing: Landing, original: Callable[[], object]) -> Linked:
+    """Link the program with its positions ending on the dome, or as it is where that cannot be.
+
+    original: the program's own call of glLinkProgram; always made, and made last where ours does not link.
+    """
+    shaders = _attached(driver, program)
+    mains = [s for stage in _STAGES.values() for s in shaders if s.stage == stage and has_main(s.text)]
+    last = next(iter(mains), None)
+    if last is None or not all(_shader_value(driver, s.name, _COMPILE_STATUS) for s in shaders):
+        original()
+        return Linked(None, None if shaders else "fragment only")
+    own_matrices = not any(uses_projection(s.text) for s in shaders)
+    try:
+        for candidate in rewritten(last.text, last.stage, landing):
+            if _links(driver, program, last, candidate):
+                return Linked(OwnProgram(driver, program, cut=candidate.cut, own_matrices=own_matrices))
+    finally:
+        _compile(driver, last.name, last.text)
+    original()
+    linked = _program_value(driver, program, _LINK_STATUS)
+    return Linked(None, "the driver refuses it with the dome's lines" if linked else None)
+
+
+def _links(driver: Driver, program: int, shader: _Shader, candidate: Rewritten) -> bool:
+    _compile(driver, shader.name, candidate.text)
+    if not _shader_value(driver, shader.name, _COMPILE_STATUS):
+        return False
+    driver.glLinkProgram(program)
+    return bool(_program_value(driver, program, _LINK_STATUS))
+
+
+def _attached(driver: Driver, program: int) -> list[_Shader]:
+    """The attached shaders that come before the fragments."""
+    count = _program_value(driver, program, _ATTACHED_SHADERS)
+    names = (c_uint * max(count, 1))()
+    driver.glGetAttachedShaders(program, count, None, names)
+    found = []
+    for name in names[:count]:
+        stage = _STAGES.get(_shader_value(driver, name, _SHADER_TYPE))
+        if stage is not None:
+            found.append(_Shader(name, stage, _text(driver, name)))
+    return found
+
+
+def _text(driver: Driver, shader: int) -> str:
+    text = create_string_buffer(max(_shader_value(driver, shader, _SOURCE_LENGTH), 1))
+    driver.glGetShaderSource(shader, len(text), None, text)
+    return text.value.decode(errors="surrogateescape")
+
+
+def _compile(driver: Driver, shader: int, text: str) -> None:
+    driver.glShaderSource(shader, 1, c_char_p(text.encode(errors="surrogateescape")), None)
+    driver.glCompileShader(shader)
+
+
+def _shader_value(driver: Driver, shader: int, name: int) -> int:
+    value = c_int()
+    driver.glGetShaderiv(shader, name, value)
+    return value.value
+
+
+def _program_value(driver: Driver, program: int, name: int) -> int:
+    value = c_int()
+    driver.glGetProgramiv(program, name, value)
+    return value.value

@@ -1,0 +1,173 @@
+"""A program's own shader becomes one that ends on the dome: pure, and tested as text.
+
+Its main() runs as it is, under another name; ours calls it and takes the gl_Position that it leaves onto the
+dome. In a geometry shader each EmitVertex() does so instead.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import Literal
+
+from domeshim.shading.compose import VERSION
+from domeshim.shading.snippets import snippet
+
+Stage = Literal["vertex", "evaluation", "geometry"]
+
+CLIP_DISTANCES = {"dome": (7,), "panel": (4, 5, 6, 7)}
+"""The clip distances that cut the dome at its rim and the panel at its edges; the lower are the program's."""
+
+_COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
+_VERSION = re.compile(r"[ \t]*#[ \t]*version[ \t]+(\d+)[ \t]*(\w*)")
+_DIRECTIVE = re.compile(r"\s*#\s*(if|endif|extension)?")
+_PROJECTION = re.compile(r"\b(ftransform|gl_(ModelView)?Projection\w*)\b")
+_MAIN = re.compile(r"\bmain\s*\(")
+_MAIN_AROUND = """\
+#undef main
+void main() {
+    domeProgramMain();
+    domeLand();
+}
+"""
+_EMIT_AROUND = """\
+void domeEmit() {
+    domeLand();
+    EmitVertex();
+}
+#define EmitVertex domeEmit
+"""
+_NAMES = re.compile(r"\b(bent|lensRadius|tilted|inFront|insideViewport)\b")
+
+
+@dataclass(frozen=True)
+class Landing:
+    """How a session's dome takes a position: what is the same for all of a program's draws."""
+
+    lens: Literal["equidistant", "polynomial"] = "equidistant"
+    tilted: bool = False
+    wide: bool = False
+    """A field of view over 180 degrees."""
+
+
+@dataclass(frozen=True)
+class Rewritten:
+    """A shader's text that ends on the dome."""
+
+    text: str
+    cut: bool
+    """It cuts at the dome's rim and the panel's edges, by CLIP_DISTANCES."""
+
+
+def uses_projection(text: str) -> bool:
+    """The shader takes its projection from GL's own matrix, not from a uniform of the program's."""
+    return bool(_PROJECTION.search(_bare(text)))
+
+
+def has_main(text: str) -> bool:
+    """The shader is the one of its stage that GL calls."""
+    return bool(_MAIN.search(_bare(text)))
+
+
+def rewritten(text: str, stage: Stage, landing: Landing) -> tuple[Rewritten, ...]:
+    """The shader's text ending on the dome, best first: what a driver refuses of one, the next does without.
+
+    The first is raised to a GLSL that has clip distances, the last stays at the program's own version.
+    """
+    bare = _bare(text)
+    version = _VERSION.search(bare)
+    if version is None:
+        whole, number, profile = text, 110, ""
+    else:
+        # A directive may stand below comments; the text keeps its lines.
+        whole = text[: version.start()] + text[version.end() :]
+        number, profile = int(version[1]), version[2]
+    own_version = version[0].strip() if version is not None else "#version 110"
+    if profile == "es" or number == 100:
+        return (_joined(own_version, whole, stage, landing, cut=False),)
+    raised = VERSION if number < 150 else own_version
+    return (
+        _joined(raised, whole, stage, landing, cut=True),
+        _joined(own_version, whole, stage, landing, cut=False),
+    )
+
+
+def _joined(version: str, text: str, stage: Stage, landing: Landing, *, cut: bool) -> Rewritten:
+    lines = text.split("\n")
+    first = _top(text)
+    planes = cut and "compatibility" in version and "gl_ClipDistance" not in _bare(text)
+    before = _before(text, stage, landing, cut=cut, planes=planes)
+    after = "" if stage == "geometry" else _MAIN_AROUND
+    return Rewritten("\n".join([version, *lines[:first], before, *lines[first:], after]), cut)
+
+
+def _before(text: str, stage: Stage, landing: Landing, *, cut: bool, planes: bool) -> str:
+    """What stands before the program's first declaration: our functions, and its main()'s new name."""
+    names = ["own/land", f"lens/{landing.lens}", "bend/vertex", "bend/panel"]
+    if landing.tilted:
+        names.append("place/tilt")
+    if cut:
+        names += ["clip/cone" if landing.wide else "clip/behind", "clip/panel"]
+    if planes:
+        names.append("own/planes")
+    parts = [_NAMES.sub(lambda m: f"dome{m[0][0].upper()}{m[0][1:]}", snippet(name)) for name in names]
+    clip_vertex = planes and "gl_ClipVertex" in _bare(text)
+    if clip_vertex:
+        parts.append("vec4 domeClipVertex;\n#define gl_ClipVertex domeClipVertex\n")
+    parts.append(_land(landing, cut=cut, planes=planes, clip_vertex=clip_vertex))
+    if stage == "geometry":
+        parts.append(_EMIT_AROUND)
+    else:
+        parts.append("#define main domeProgramMain\n")
+    return "".join(parts)
+
+
+def _land(landing: Landing, *, cut: bool, planes: bool, clip_vertex: bool) -> str:
+    """The function that takes gl_Position onto the dome."""
+    lines = ["vec4 clip = gl_Position;"]
+    if planes:
+        eye = "domeClipVertex" if clip_vertex else "gl_ProjectionMatrixInverse * clip"
+        lines += ["if (domePlanes > 0.5) {", f"    vec4 planes = domePlanesOf({eye});"]
+        lines += [f"    gl_ClipDistance[{i}] = planes.{axis};" for i, axis in enumerate("xyzw")]
+        lines.append("}")
+    lines += ["if (domeMode > 1.5) {", "    vec4 place = domeFromClip * clip;"]
+    lines += ["    place = domeTilted(place);"] if landing.tilted else []
+    lines.append("    gl_Position = domeBent(place, clip.z / clip.w);")
+    if cut:
+        lines.append("    vec4 inside = domeInsideViewport(clip);")
+        lines += [
+            f"    gl_ClipDistance[{i}] = inside.{axis};"
+            for i, axis in zip(CLIP_DISTANCES["panel"], "xyzw", strict=True)
+        ]
+    lines += ["} else if (domeMode > 0.5) {", "    vec4 place = domePlace(clip);"]
+    lines += ["    place = domeTilted(place);"] if landing.tilted else []
+    lines.append("    gl_Position = domeBent(place);")
+    if cut:
+        lines.append(f"    gl_ClipDistance[{CLIP_DISTANCES['dome'][0]}] = domeInFront(place);")
+    lines.append("}")
+    return "\n".join(["void domeLand() {", *(f"    {line}" for line in lines), "}", ""])
+
+
+def _bare(text: str) -> str:
+    """The text with its comments blanked, every line where it was."""
+    return _COMMENT.sub(lambda m: re.sub(r"[^\n]", " ", m[0]), text)
+
+
+def _top(text: str) -> int:
+    """The first line that declarations may stand on: below every #extension, and in no #if."""
+    top, opened, extension, continued = 0, list[int](), False, False
+    for number, line in enumerate(_bare(text).split("\n")):
+        directive = None if continued else _DIRECTIVE.match(line)
+        if directive is None and line.strip() and not continued:
+            break
+        match directive and directive[1]:
+            case "if":
+                opened.append(number)
+            case "endif" if opened:
+                opened.pop()
+            case "extension":
+                extension = True
+        if extension and not opened:
+            top, extension = number + 1, False
+        continued = (continued or directive is not None) and line.endswith("\\")
+    return opened[0] if extension else top

@@ -1,0 +1,122 @@
+"""A program's own GLSL programs in one GL context: which is bound, and what it needs to end on the dome."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from ctypes import c_float
+
+import numpy as np
+
+from domeshim.driver import Driver
+from domeshim.lens.models import Lens
+from domeshim.options import Options
+from domeshim.shading.exchange import OwnProgram, link
+from domeshim.shading.own import CLIP_DISTANCES, Landing
+from domeshim.state.perspective import Matrix, is_perspective, perspective_part
+from domeshim.state.placement import Placement
+from domeshim.state.scene import GL_CLIP_PLANE0
+
+_CURRENT_PROGRAM = 0x8B8D
+_PLANES = 4
+"""So many clip planes of the program reach its own shaders."""
+
+
+class OwnPrograms:
+    """Links, remembers and dresses the program's own GLSL programs."""
+
+    def __init__(self, driver: Driver, options: Options, lens: Lens) -> None:
+        self._driver = driver
+        self._lens = lens
+        self._fov, tilt = np.radians(options.fov), np.radians(options.tilt)
+        self._tilt = (float(np.cos(tilt)), float(np.sin(tilt)))
+        self._landing = Landing(lens.name, tilted=options.tilt != 0, wide=options.fov > 180)
+        self._programs: dict[int, OwnProgram] = {}
+        self.complaints: dict[int, str] = {}
+        """Why a linked program is not on the dome, by its name."""
+        self.current: OwnProgram | None = None
+        """The one that is bound; None also for a program that is not on the dome."""
+
+    def link(self, name: int, original: Callable[[], object]) -> None:
+        """Link a program with its positions ending on the dome; original: the program's own call."""
+        linked = link(self._driver, name, self._landing, original)
+        self.forget(name)
+        if linked.program is not None:
+            self._programs[name] = linked.program
+        elif linked.complaint is not None:
+            self.complaints[name] = linked.complaint
+        if self._driver.integer(_CURRENT_PROGRAM) == name:
+            self.current = linked.program
+
+    def use(self, name: int) -> None:
+        """This program is bound from now on; 0: none."""
+        self.current = self._programs.get(name)
+
+    def forget(self, name: int) -> None:
+        """The program is deleted or linked anew."""
+        self._programs.pop(name, None)
+        self.complaints.pop(name, None)
+
+    def matrix_sent(self, location: int) -> Matrix | None:
+        """A uniform of the bound program has got a matrix: the perspective in it, if that is news."""
+        own = self.current
+        if own is None or not own.own_matrices:
+            return None
+        values = (c_float * 16)()
+        self._driver.glGetUniformfv(own.name, location, values)
+        matrix = np.array(values, float).reshape(4, 4).T
+        p = _perspective_in(matrix)
+        if p is None or (own.perspective is not None and np.allclose(p, own.perspective, rtol=1e-4)):
+            return None
+        own.perspective = p
+        return p
+
+    def projection(self, of_gl: Matrix) -> Matrix:
+        """The projection that the bound program draws by; of_gl: GL's own."""
+        own = self.current
+        if own is None or not own.own_matrices:
+            return of_gl
+        return own.perspective if own.perspective is not None else np.eye(4)
+
+    # Around its draws.
+
+    def bend(self, placement: Placement, projection: Matrix, planes: tuple[int, ...]) -> tuple[int, ...]:
+        """Let the bound program end where the placement says; the capabilities to enable for it.
+
+        planes: the clip planes that the program has enabled.
+        """
+        own = self.current
+        assert own is not None
+        panel = placement.place == "panel"
+        from_clip = np.array(placement.view).reshape(4, 4).T
+        if not panel:
+            from_clip = from_clip @ np.linalg.pinv(projection)
+        own.set("domeMode", (2.0 if panel else 1.0,))
+        own.set("domeFromClip", tuple(from_clip.T.ravel()))
+        own.set("domeLens", self._lens.uniform)
+        own.set("domeDepth", placement.depth)
+        own.set("domePlanes", (float(bool(planes)),))
+        if self._landing.tilted:
+            own.set("domeTilt", self._tilt)
+        if self._landing.wide:
+            own.set("domeRim", (-float(np.cos(self._fov / 2)),))
+        wanted = CLIP_DISTANCES["panel" if panel else "dome"] if own.cut else ()
+        return tuple(GL_CLIP_PLANE0 + i for i in wanted if i not in planes)
+
+    def leave_straight(self, planes: tuple[int, ...]) -> None:
+        """Let the bound program, if any is on the dome, draw as on the monitor."""
+        if self.current is not None:
+            self.current.set("domeMode", (0.0,))
+            self.current.set("domePlanes", (float(bool(planes)),))
+
+
+def _perspective_in(matrix: Matrix) -> Matrix | None:
+    """The perspective of a matrix P V M, V rigid and M at most evenly scaling; None where there is none.
+
+    A scale in M is taken out again: clip w is the distance along the view.
+    """
+    if not is_perspective(matrix) or abs(np.linalg.det(matrix[[0, 1, 3], :3])) < 1e-12:
+        return None
+    p = perspective_part(matrix)
+    p[:, :3] /= -p[3, 2]
+    skewed = abs(p[0, 1]) > 1e-3 * abs(p[1, 1])
+    return None if skewed else p
