@@ -29,6 +29,7 @@ def new_list(dome: Dome, original: Call) -> Call:
         mode_now = context.driver.integer(_MATRIX_MODE)
         lists.begin(int(name), execute=mode == _COMPILE_AND_EXECUTE, matrix_mode=mode_now)
         context.compiling = True
+        dome.building = lists.building
         return result
 
     return call
@@ -38,12 +39,18 @@ def end_list(dome: Dome, original: Call) -> Call:
     """glEndList."""
 
     def call() -> Any:
+        if dome.recorder.block is not None and dome.context is not None:
+            dome.recorder.end()
+            dome.recorder.clear()
+            dome.context.say_once("a display list that ends between glBegin and glEnd loses what it draws there")
         result = original()
         context, lists = dome.context, dome.lists
         if context is not None and lists is not None and lists.building is not None:
             context.compiling = False
+            dome.building = None
             built = lists.end()
             if built.execute:
+                dome.drawing()
                 _run(context, lists, built.name)
         return result
 
@@ -94,12 +101,13 @@ def delete_lists(dome: Dome, original: Call) -> Call:
 
 
 def _run(context: DomeContext, lists: DisplayLists, name: int) -> None:
-    for part in lists.parts(name):
-        if isinstance(part, int):
-            context.dress()
-            context.driver.glCallList(part)
-        else:
-            part()
+    with lists.one_deeper() as too_deep:
+        for part in () if too_deep else lists.parts(name):
+            if isinstance(part, int):
+                context.dress()
+                context.driver.glCallList(part)
+            else:
+                part()
 
 
 def _offsets(names: Any) -> Iterator[int]:

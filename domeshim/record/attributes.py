@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 _NAME = re.compile(
@@ -13,6 +14,15 @@ _NAME = re.compile(
 _NORMALISED = {"Color", "SecondaryColor", "Normal"}
 _FIXED_COUNT = {"Normal": 3, "FogCoord": 1, "EdgeFlag": 1}
 
+MATERIAL_PARTS: dict[str, int] = {
+    "emission": 0x1600,
+    "ambient": 0x1200,
+    "diffuse": 0x1201,
+    "specular": 0x1202,
+    "shininess": 0x1601,
+}
+"""The parts of a material that glMaterial sets between glBegin and glEnd, by GL's name for each."""
+
 DEFAULTS: dict[str, tuple[float, ...]] = {
     "color": (0.0, 0.0, 0.0, 1.0),
     "normal": (0.0, 0.0, 0.0),
@@ -20,8 +30,12 @@ DEFAULTS: dict[str, tuple[float, ...]] = {
     "fog": (0.0,),
     "edge": (1.0,),
     **{f"texture{unit}": (0.0, 0.0, 0.0, 1.0) for unit in range(8)},
+    **{f"{face} {part}": (0.0, 0.0, 0.0, 1.0) for face in ("front", "back") for part in MATERIAL_PARTS},
 }
-"""Each attribute, with the values that a shorter call leaves out; their number is the attribute's size."""
+"""Each attribute, with the values that a shorter call leaves out; their number is the attribute's size.
+
+A material's shininess is the first of four values, so that all its parts are alike.
+"""
 
 
 @dataclass(frozen=True)
@@ -58,6 +72,29 @@ def setter(name: str) -> Setter | None:
         scale,
         offset,
     )
+
+
+_MATERIAL = re.compile(r"glMaterial(?P<type>[if]?)v?")
+_MATERIAL_FACES = {0x0404: ("front",), 0x0405: ("back",), 0x0408: ("front", "back")}
+_AMBIENT_AND_DIFFUSE = 0x1602
+
+
+def material(name: str, face: int, parameter: int, values: Sequence[float]) -> dict[str, tuple[float, ...]]:
+    """What a call of the glMaterial family sets, by attribute; empty where GL itself reports an error."""
+    match = _MATERIAL.fullmatch(name)
+    assert match is not None
+    parts = [
+        part
+        for part, own in MATERIAL_PARTS.items()
+        if parameter == own or (parameter == _AMBIENT_AND_DIFFUSE and part in ("ambient", "diffuse"))
+    ]
+    if parts == ["shininess"]:
+        four = (float(values[0]), 0.0, 0.0, 1.0)
+    else:
+        scale, offset = _conversion(match["type"])
+        r, g, b, a = (scale * v + offset for v in values[:4])
+        four = (r, g, b, a)
+    return {f"{side} {part}": four for side in _MATERIAL_FACES.get(face, ()) for part in parts}
 
 
 def _conversion(kind: str) -> tuple[float, float]:

@@ -17,6 +17,10 @@ from domeshim.record.attributes import DEFAULTS, Setter
 
 Call = Callable[..., None]
 
+INDEPENDENT = {0: 1, 1: 2, 4: 3, 7: 4}
+"""Modes whose primitives share no vertices, with their size: points, lines, triangles, quads."""
+_FREQUENT = ("color", "normal", "texture0")
+
 
 @dataclass
 class Events:
@@ -53,6 +57,8 @@ class Run:
     positions: NDArray[np.float32]
     attributes: dict[str, NDArray[np.float32]]
     blocks: tuple[Block, ...]
+    last: tuple[tuple[str, tuple[float, ...]], ...]
+    """What each attribute was set to last."""
 
 
 class Immediate:
@@ -65,19 +71,33 @@ class Immediate:
         self.block: Block | None = None
         self.blocks: list[Block] = []
         self.rare: list[None] = []
-        """Not empty where an attribute other than color, normal and texture0 was set."""
+        """Not empty where an attribute that is none of _FREQUENT was set."""
+        self.extras = False
+        """Calls were made between glBegin and glEnd that set no attribute."""
         self._w: dict[int, float] = {}
 
     def pending(self) -> Callable[[], object]:
         """A function that tells whether GL has yet to see something; it is called before every GL call."""
-        positions, rare = self.positions, self.rare
-        color, normal, texture = (self.attributes[name].places for name in ("color", "normal", "texture0"))
-        return lambda: positions or color or normal or texture or rare
+        blocks, positions, rare = self.blocks, self.positions, self.rare
+        color, normal, texture = (self.attributes[name].places for name in _FREQUENT)
+        return lambda: blocks or color or normal or texture or positions or rare
+
+    @property
+    def used(self) -> list[tuple[str, Events]]:
+        """The attributes that were set, by name."""
+        names = self.attributes if self.rare else _FREQUENT
+        return [(name, self.attributes[name]) for name in names if self.attributes[name].places]
+
+    @property
+    def materials(self) -> bool:
+        """A material was set between the vertices of a primitive."""
+        return bool(self.rare) and any(" " in name for name, _ in self.used)
 
     def begin(self, mode: int) -> None:
         """glBegin."""
         if self.block is None:
             self.block = Block(int(mode), len(self.positions) // 3)
+            self.blocks.append(self.block)
 
     def end(self) -> None:
         """glEnd."""
@@ -85,21 +105,41 @@ class Immediate:
         if block is not None:
             block.end = len(self.positions) // 3
             self.block = None
-            if block.end > block.first or block.extras:
-                self.blocks.append(block)
+            if block.end == block.first and not block.extras:
+                self.blocks.pop()
+
+    @property
+    def has_w(self) -> bool:
+        """Some vertex has a fourth coordinate other than 1."""
+        return bool(self._w)
 
     def w(self, vertex: int) -> float:
         """A vertex's fourth coordinate."""
         return self._w.get(vertex, 1.0)
 
+    @property
+    def on_border(self) -> bool:
+        """Between glBegin and glEnd no primitive has been begun and not finished."""
+        assert self.block is not None
+        count = len(self.positions) // 3 - self.block.first
+        return count % INDEPENDENT.get(self.block.mode, count + 1) == 0 and not self.block.extras
+
+    def material(self, parts: dict[str, tuple[float, ...]]) -> None:
+        """A glMaterial between glBegin and glEnd; parts: attribute -> values."""
+        for name, values in parts.items():
+            self.rare.append(None)
+            self.attributes[name].places.append(len(self.positions))
+            self.attributes[name].values.extend(values)
+
     def inside(self, extra: Callable[[], object]) -> None:
         """A call between glBegin and glEnd that is no attribute is kept in its place."""
         assert self.block is not None
+        self.extras = True
         self.block.extras.append((len(self.positions) // 3, extra))
 
     def take(self) -> Run:
         """What was recorded since the last time, as arrays; the recorder is empty then."""
-        positions = np.array(self.positions, np.float32).reshape(-1, 3)
+        positions = _floats(self.positions).reshape(-1, 3)
         count = len(positions)
         if self._w:
             w = np.ones((count, 1), np.float32)
@@ -107,21 +147,23 @@ class Immediate:
             positions = np.hstack([positions, w])
         run = Run(
             positions,
-            {name: _spread(events, count) for name, events in self.attributes.items() if events.places},
+            {name: _spread(events, count) for name, events in self.used},
             tuple(self.blocks),
+            tuple((name, events.last) for name, events in self.used),
         )
         self.clear()
         return run
 
     def clear(self) -> None:
         """Forget what was recorded."""
+        for _, events in self.used:
+            events.places.clear()
+            events.values.clear()
         self.positions.clear()
         self._w.clear()
         self.blocks.clear()
         self.rare.clear()
-        for events in self.attributes.values():
-            events.places.clear()
-            events.values.clear()
+        self.extras = False
 
     def recording(self, setter: Setter) -> Call:
         """The function that records one GL name; it is called for each vertex, so it does nothing else."""
@@ -182,7 +224,7 @@ class Immediate:
             extend(values)
             extend(default[len(values) :])
 
-        if setter.attribute not in ("color", "normal", "texture0"):
+        if setter.attribute not in _FREQUENT:
             return _by_arguments(setter, dict.fromkeys(range(1, 5), rarely))
         if scale != 1:
             return _by_arguments(setter, dict.fromkeys(range(1, 5), scaled))
@@ -199,7 +241,9 @@ class Immediate:
         ]
 
         def call(target: int, *values: Any) -> None:
-            units[int(target) - 0x84C0](*values)
+            unit = int(target) - 0x84C0
+            if 0 <= unit < len(units):  # GL has no coordinates for others
+                units[unit](*values)
 
         return call
 
@@ -232,9 +276,16 @@ def _by_arguments(setter: Setter, by_count: dict[int, Call]) -> Call:
     return (vector1, vector2, vector3, vector4)[count - 1]
 
 
+def _floats(values: list[float]) -> NDArray[np.float32]:
+    try:
+        return np.array(values, np.float32)
+    except ValueError:  # arrays of one number among them, which GL's own calls take as well
+        return np.array([float(value) for value in values], np.float32)
+
+
 def _spread(events: Events, count: int) -> NDArray[np.float32]:
     """Each vertex's value: that of the last event before it, nan before the first."""
-    values = np.array(events.values, np.float32).reshape(-1, events.size)
+    values = _floats(events.values).reshape(-1, events.size)
     starts = np.array(events.places) // 3
     lengths = np.diff(starts, append=count)
     spread = np.repeat(values, lengths, axis=0)

@@ -7,7 +7,8 @@ lists are a single part, under the program's own name.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 
 from domeshim.driver import Driver
@@ -16,6 +17,8 @@ Part = int | Callable[[], object]
 """The name of a GL list, or a call to make."""
 
 _COMPILE = 0x1300
+_DEEPEST = 64
+"""OpenGL 2.1, table 6.39: GL_MAX_LIST_NESTING."""
 _OWN_NAMES = 0x4000_0000
 """Names of further parts begin here, far above what programs choose for themselves."""
 
@@ -40,6 +43,7 @@ class DisplayLists:
         self._driver = driver
         self._lists: dict[int, list[Part]] = {}
         self._next = _OWN_NAMES
+        self._depth = 0
         self.building: Building | None = None
 
     def begin(self, name: int, *, execute: bool, matrix_mode: int) -> None:
@@ -52,10 +56,12 @@ class DisplayLists:
         assert building is not None
         self._driver.glEndList()
         self._drop_unused(building)
+        self._next += 1
+        while self._driver.glIsList(self._next):  # glGenLists gives names above the highest in use
+            self._next += 1
         building.parts += [call, self._next]
         building.used = False
         self._driver.glNewList(self._next, _COMPILE)
-        self._next += 1
 
     def end(self) -> Building:
         """The program's glEndList has closed the open part."""
@@ -67,6 +73,15 @@ class DisplayLists:
         if building.parts != [building.name]:
             self._lists[building.name] = building.parts
         return building
+
+    @contextmanager
+    def one_deeper(self) -> Iterator[bool]:
+        """A list is being called; tells whether lists have called each other too often, as GL would find."""
+        self._depth += 1
+        try:
+            yield self._depth > _DEEPEST
+        finally:
+            self._depth -= 1
 
     def parts(self, name: int) -> list[Part]:
         """What to do, in order, when the list is called."""

@@ -67,6 +67,8 @@ class SceneState:
         self._textures: tuple[Texture, ...] = ()
         self._rest = Scene()
         self.stale = set(GROUPS)
+        self.vertex_material: Face | None = None
+        """The face whose material comes with each vertex of the next draw."""
         self.texture_units = 1
         """How many texture units the program has ever made active."""
 
@@ -107,6 +109,7 @@ class SceneState:
             local_viewer=bool(gl.integer(_LIGHT_MODEL_LOCAL_VIEWER)),
             separate_specular=gl.integer(_LIGHT_MODEL_COLOR_CONTROL) == _SEPARATE_SPECULAR,
             color_material=self._color_material() if gl.glIsEnabled(GL_COLOR_MATERIAL) else None,
+            vertex_material=self.vertex_material,
         )
 
     def _light(self, index: int) -> Light:

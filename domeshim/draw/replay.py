@@ -1,0 +1,78 @@
+"""A recorded run goes to GL as it was given, call by call: the cheaper way for a few vertices."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from domeshim.driver import Driver
+from domeshim.record.immediate import Block, Immediate
+
+_Change = tuple[int, Callable[..., None], list[float]]
+"""Before which vertex, and what to call with which values."""
+_NEVER = 1 << 62
+
+
+def replay(gl: Driver, recorder: Immediate, setters: Mapping[str, Callable[..., None]]) -> None:
+    """Make the recorded calls; vertices outside glBegin..glEnd as well where there is no block at all.
+
+    Such vertices are a display list's, to be called between the caller's glBegin and glEnd.
+    """
+    changes = _changes(recorder, setters)
+    k = 0
+    for block in recorder.blocks or [_loose(recorder)]:
+        while changes[k][0] <= block.first:
+            changes[k][1](*changes[k][2])
+            k += 1
+        if recorder.blocks:
+            gl.glBegin(block.mode)
+        k = _vertices(gl, recorder, block, changes, k)
+        if recorder.blocks:
+            gl.glEnd()
+    for _, setter, values in changes[k:-1]:
+        setter(*values)
+
+
+def _loose(recorder: Immediate) -> Block:
+    return Block(-1, 0, len(recorder.positions) // 3)
+
+
+def _vertices(gl: Driver, recorder: Immediate, block: Block, changes: list[_Change], k: int) -> int:
+    """One block's vertices, the changes and the other calls between them; the number of the next change."""
+    positions, has_w, vertex3, vertex4 = recorder.positions, recorder.has_w, gl.glVertex3f, gl.glVertex4f
+    next_change = changes[k][0]
+    extras = block.extras
+    for vertex in range(block.first, block.end):
+        while next_change <= vertex:
+            changes[k][1](*changes[k][2])
+            k += 1
+            next_change = changes[k][0]
+        while extras and extras[0][0] == vertex:
+            extras.pop(0)[1]()
+        x, y, z = positions[3 * vertex : 3 * vertex + 3]
+        if has_w:
+            vertex4(x, y, z, recorder.w(vertex))
+        else:
+            vertex3(x, y, z)
+    while extras:
+        k = _change_before(extras[0][0], changes, k)
+        extras.pop(0)[1]()
+    return k
+
+
+def _change_before(vertex: int, changes: list[_Change], k: int) -> int:
+    while changes[k][0] <= vertex:
+        changes[k][1](*changes[k][2])
+        k += 1
+    return k
+
+
+def _changes(recorder: Immediate, setters: Mapping[str, Callable[..., None]]) -> list[_Change]:
+    """All attributes' changes, rising; the last one never comes."""
+    changes = [
+        (place // 3, setters[name], events.values[events.size * i : events.size * (i + 1)])
+        for name, events in recorder.used
+        for i, place in enumerate(events.places)
+    ]
+    changes.sort(key=lambda change: change[0])
+    changes.append((_NEVER, setters["edge"], []))
+    return changes
