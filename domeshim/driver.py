@@ -10,6 +10,8 @@ import ctypes
 from ctypes import POINTER, c_char_p, c_double, c_float, c_int, c_ssize_t, c_ubyte, c_uint, c_void_p
 from typing import Any
 
+from domeshim.errors import DriverError
+
 _INT, _UINT, _ENUM, _FLOAT, _POINTER = c_int, c_uint, c_uint, c_float, c_void_p
 
 _SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
@@ -21,6 +23,8 @@ _SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "glGetFloatv": (None, (_ENUM, POINTER(c_float))),
     "glGetDoublev": (None, (_ENUM, POINTER(c_double))),
     "glGetString": (c_char_p, (_ENUM,)),
+    "glGetMaterialfv": (None, (_ENUM, _ENUM, POINTER(c_float))),
+    "glMaterialfv": (None, (_ENUM, _ENUM, POINTER(c_float))),
     "glGetLightfv": (None, (_ENUM, _ENUM, POINTER(c_float))),
     "glGetTexGeniv": (None, (_ENUM, _ENUM, POINTER(c_int))),
     "glActiveTexture": (None, (_ENUM,)),
@@ -55,6 +59,7 @@ _SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "glNewList": (None, (_UINT, _ENUM)),
     "glEndList": (None, ()),
     "glCallList": (None, (_UINT,)),
+    "glIsList": (c_ubyte, (_UINT,)),
     "glGenLists": (_UINT, (_INT,)),
     "glDeleteLists": (None, (_UINT, _INT)),
     "glColorMask": (None, (c_ubyte,) * 4),
@@ -83,6 +88,7 @@ _SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     ),
     "glGetUniformfv": (None, (_UINT, _INT, POINTER(c_float))),
     "glGetUniformiv": (None, (_UINT, _INT, POINTER(c_int))),
+    "glPatchParameteri": (None, (_ENUM, _INT)),
     "glUniform1fv": (None, (_INT, _INT, POINTER(c_float))),
     "glUniform2fv": (None, (_INT, _INT, POINTER(c_float))),
     "glUniform3fv": (None, (_INT, _INT, POINTER(c_float))),
@@ -104,6 +110,14 @@ class Driver:
         setattr(self, name, function)
         return function
 
+    def has(self, name: str) -> bool:
+        """This GL has the entry point."""
+        try:
+            getattr(self, name)
+        except DriverError:
+            return False
+        return True
+
     def integers(self, name: int, count: int) -> tuple[int, ...]:
         """What glGetIntegerv says, as so many integers."""
         values = (c_int * count)()
@@ -123,8 +137,6 @@ class Driver:
 
 def _look_up(name: str) -> Any:
     from OpenGL.platform import PLATFORM  # noqa: PLC0415 - only once the program has a window
-
-    from domeshim.errors import DriverError  # noqa: PLC0415
 
     if name not in _SIGNATURES:
         raise AttributeError(name)

@@ -22,6 +22,7 @@ class Options:
     tilt: float = 0.0
     lens: Lens = ("equidistant", ())
     method: str = "auto"
+    tolerance: float = 0.5
     hud: str = "panel"
     panel: float = 60.0
     fill: float | None = None
@@ -155,9 +156,10 @@ _SETTINGS = {
     "tilt": _Setting("degrees from -180 to 180", _number(lambda degrees: -180 <= degrees <= 180)),
     "lens": _Setting("equidistant, or polynomial:c1,..,c5", _lens),
     "method": _Setting(
-        "auto, paper, vertex",
-        _choice(("auto", "paper", "vertex"), later=("tessellate", "geometry", "cpu", "cubemap")),
+        "auto, paper, vertex, tessellate",
+        _choice(("auto", "paper", "vertex", "tessellate"), later=("geometry", "cpu", "cubemap")),
     ),
+    "tolerance": _Setting("pixels, at least 0.01", _number(lambda pixels: pixels >= 0.01)),
     "hud": _Setting("panel, flat, off", _choice(("panel", "flat", "off"), later=("side",))),
     "panel": _Setting("degrees over 0 and under 180", _number(lambda degrees: 0 < degrees < 180)),
     "fill": _Setting("off, or degrees over 0 and under 180", _fill),
@@ -173,7 +175,6 @@ ACCEPTED = {field: setting.accepted for field, setting in _SETTINGS.items()}
 """What each field of Options accepts, in words."""
 
 _LATER = {
-    "DOME_TOLERANCE": "0.5",
     "DOME_SURFACE": "dome",
     "DOME_STEREO": "off",
     "DOME_EYES": "0.065",

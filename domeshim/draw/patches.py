@@ -13,7 +13,9 @@ from numpy.typing import NDArray
 Indices = NDArray[np.int64]
 Kind = Literal["points", "lines", "triangles"]
 
-POINTS, LINES, LINE_LOOP, LINE_STRIP, TRIANGLES, TRIANGLE_STRIP, TRIANGLE_FAN, QUADS, QUAD_STRIP, POLYGON = range(10)
+POINTS, LINES, LINE_LOOP, LINE_STRIP, TRIANGLES, TRIANGLE_STRIP, TRIANGLE_FAN, QUADS, QUAD_STRIP, POLYGON = (
+    range(10)
+)
 
 
 def kind_of(mode: int) -> Kind:
@@ -46,7 +48,9 @@ def corners(mode: int, count: int) -> Indices:
             return np.stack([quads[:, [0, 1, 3]], quads[:, [1, 2, 3]]], 1).reshape(-1, 3)
         case 8:  # quad strip: a, b, d, c with d = the last of each quad
             a = i[: max(count - count % 2 - 2, 0) : 2]
-            return np.stack([np.stack([a, a + 1, a + 3], -1), np.stack([a + 2, a, a + 3], -1)], 1).reshape(-1, 3)
+            return np.stack([np.stack([a, a + 1, a + 3], -1), np.stack([a + 2, a, a + 3], -1)], 1).reshape(
+                -1, 3
+            )
         case _:  # polygon: its first vertex gives the colour
             return np.stack([i[1:-1], i[2:], np.zeros_like(i[2:])], -1)
 

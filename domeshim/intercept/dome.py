@@ -2,19 +2,39 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
+from domeshim.draw.materials import material_run
 from domeshim.draw.rim import Rim
 from domeshim.draw.submit import Submitter
 from domeshim.driver import Driver
 from domeshim.record.immediate import Immediate
-from domeshim.record.lists import DisplayLists
+from domeshim.record.lists import Building, DisplayLists
 from domeshim.state.context import DomeContext
 from domeshim.window.frame import Frame
 
 if TYPE_CHECKING:
     from domeshim.session import Session
     from domeshim.window.contract import Window
+
+
+@contextmanager
+def inside_block(context: DomeContext) -> Iterator[None]:
+    """GL stands between glBegin and glEnd: nothing of ours may come in, nor PyOpenGL's question for errors."""
+    from OpenGL.raw.GL import _errors  # noqa: PLC0415 - not before the program has imported OpenGL
+
+    checker, compiling = _errors._error_checker, context.compiling
+    context.compiling = True
+    if checker:
+        checker.onBegin()
+    try:
+        yield
+    finally:
+        context.compiling = compiling
+        if checker:
+            checker.onEnd()
 
 
 class WindowDome:
@@ -42,6 +62,8 @@ class Dome:
         """The context that the program's GL calls go to; None before its first window."""
         self.lists: DisplayLists | None = None
         """That context's display lists."""
+        self.building: Building | None = None
+        """The one of them that is being built."""
 
     def window_opened(self, window: Window, program_size: tuple[int, int]) -> None:
         """A window's context was made and is current."""
@@ -53,6 +75,7 @@ class Dome:
         self._current = self._windows.get(window) if window is not None else None
         self.context = self._current.context if self._current else None
         self.lists = self._current.lists if self._current else None
+        self.building = self.lists.building if self.lists else None
 
     def window_resized(self, window: Window, program_size: tuple[int, int]) -> None:
         """The program's window has this size now."""
@@ -80,12 +103,44 @@ class Dome:
         if current is None:
             recorder.clear()
             return
+        if self.building is not None:
+            self.building.used = True
         if recorder.blocks:
             self._session.drawing()
+            if recorder.materials:
+                self._flush_materials(current)
+                return
             current.context.dress()
-        if current.lists.building is not None:
-            current.lists.building.used = True
-        current.submitter.submit(recorder)
+        if recorder.extras:
+            with inside_block(current.context):
+                current.submitter.submit(recorder, current.context)
+        else:
+            current.submitter.submit(recorder, current.context, compiling=self.building is not None)
+
+    def _flush_materials(self, current: WindowDome) -> None:
+        """Draw a run in which materials change inside primitives; in a display list, when it is called."""
+        recorder, context = self.recorder, current.context
+        if self.building is None and not context.bends:
+            current.submitter.replay(recorder)
+            return
+        run, face, exact = material_run(recorder.take())
+        if not exact:
+            context.say_once(
+                "glMaterial gave the two faces unlike materials between glBegin and glEnd; the front's is used"
+            )
+
+        def draw() -> None:
+            context.scene.vertex_material = face
+            context.scene.stale.add("lighting")
+            context.dress()
+            current.submitter.draw(run)
+            context.scene.vertex_material = None
+            context.scene.stale.add("lighting")
+
+        if self.building is None:
+            draw()
+        else:
+            current.lists.keep(draw)
 
     def frame_ending(self, window: Window) -> None:
         """The picture is complete: cut it at the rim."""

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from domeshim.driver import Driver
     from domeshim.shading.compose import Source
 
-_VERTEX, _FRAGMENT = 0x8B31, 0x8B30
+_VERTEX, _FRAGMENT, _CONTROL, _EVALUATION = 0x8B31, 0x8B30, 0x8E88, 0x8E87
 _COMPILE_STATUS, _LINK_STATUS, _INFO_LOG_LENGTH = 0x8B81, 0x8B82, 0x8B84
 _PLACE_IN_LOG = re.compile(r"\b0(?::(\d+)|\((\d+)\))")
 
@@ -59,10 +59,19 @@ class Program(Uniforms):
     Raises ShaderError with the driver's words, each place in them named by our file and line.
     """
 
-    def __init__(self, driver: Driver, vertex: Source, fragment: Source | None = None) -> None:
+    def __init__(
+        self,
+        driver: Driver,
+        vertex: Source,
+        fragment: Source | None = None,
+        control: Source | None = None,
+        evaluation: Source | None = None,
+    ) -> None:
         super().__init__(driver, driver.glCreateProgram())
-        stages = [(_VERTEX, vertex)] + ([(_FRAGMENT, fragment)] if fragment else [])
+        stages = ((_VERTEX, vertex), (_CONTROL, control), (_EVALUATION, evaluation), (_FRAGMENT, fragment))
         for stage, source in stages:
+            if source is None:
+                continue
             shader = _compile(driver, stage, source)
             driver.glAttachShader(self.name, shader)
             driver.glDeleteShader(shader)  # goes with the program

@@ -12,6 +12,10 @@ from typing import Literal
 Texgen = Literal["object", "eye", "sphere", "reflection", "normal"]
 Face = Literal["front", "back", "both"]
 
+MATERIAL_UNITS = {"emission": 3, "ambient": 4, "diffuse": 5, "specular": 6, "shininess": 7}
+"""Which unit's texture coordinates carry each part of a material that is set inside glBegin..glEnd."""
+Patch = Literal["triangles", "lines"] | None
+
 
 @dataclass(frozen=True)
 class Light:
@@ -38,6 +42,8 @@ class Lighting:
     local_viewer: bool = False
     separate_specular: bool = False
     color_material: ColorMaterial | None = None
+    vertex_material: Face | None = None
+    """The face whose material comes with each vertex, as texture coordinates of MATERIAL_UNITS."""
 
 
 @dataclass(frozen=True)
@@ -80,7 +86,7 @@ class Recipe:
 
     mapping: Mapping = Mapping()
     scene: Scene = Scene()
-    patch: Literal["triangles", "lines"] | None = None
+    patch: Patch = None
     """What is subdivided on the GPU, if anything."""
     flat: bool = False
     """GL_FLAT: the pieces of a subdivided primitive all have the colour of its last vertex."""

@@ -17,11 +17,11 @@ VERSION = "#version 400 compatibility"
 
 @dataclass(frozen=True)
 class Stages:
-    """The sources of one program, in the order of the pipeline; control and evaluation only where subdivided."""
+    """The sources of one program, in the order of the pipeline."""
 
     vertex: Source
-    control: Source | None = None
-    evaluation: Source | None = None
+    control: Source
+    evaluation: Source
 
 
 def compose_tessellated(recipe: Recipe) -> Stages:

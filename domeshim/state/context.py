@@ -7,17 +7,20 @@ the monitor (DESIGN 2.1). The dome's own state is on only while draws follow eac
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from domeshim.draw.extent import Extent
 from domeshim.driver import Driver
+from domeshim.lens.detail import pieces_per_radian
 from domeshim.lens.models import Lens, lens_of, rim_radius
 from domeshim.options import Options
 from domeshim.shading.compose import compose
 from domeshim.shading.program import Program
-from domeshim.shading.recipe import Mapping, Recipe, Scene
+from domeshim.shading.recipe import Mapping, Patch, Recipe, Scene
+from domeshim.shading.tessellation import compose_tessellated
 from domeshim.state.own_programs import OwnPrograms
 from domeshim.state.perspective import Matrix
 from domeshim.state.placement import Placement, Placer
@@ -26,6 +29,7 @@ from domeshim.window.frame import Frame, Rectangle
 
 _VIEWPORT, _MATRIX_MODE, _MODELVIEW, _PROJECTION, _TEXTURE = 0x0BA2, 0x0BA0, 0x1700, 0x1701, 0x1702
 _MODELVIEW_MATRIX, _PROJECTION_MATRIX, _CURRENT_PROGRAM = 0x0BA6, 0x0BA7, 0x8B8D
+_PATCH_VERTICES, _SHADE_MODEL, _FLAT = 0x8E72, 0x0B54, 0x1D00
 _SCISSOR_TEST, _SCISSOR_BOX = 0x0C11, 0x0C10
 _VERTEX_PROGRAM_TWO_SIDE, _PROGRAM_POINT_SIZE, _RASTERIZER_DISCARD = 0x8643, 0x8642, 0x8C89
 
@@ -63,6 +67,7 @@ class DomeContext:
         self._placement: Placement | None = None
         self._projection: Matrix = np.eye(4)
         self._dressing: _Dressing | None = None
+        self._patch: Patch = None
 
     # What a call changed.
 
@@ -120,6 +125,12 @@ class DomeContext:
             why = self.own.complaints.get(name, "not linked from GLSL that could be seen")
             self.say_once(f"the program's own GLSL is not bent and draws as on the monitor: {why}")
 
+    @property
+    def bends(self) -> bool:
+        """The next draw goes through a vertex program of the dome's."""
+        self.dress()
+        return self._dressing is not None and self._dressing.program != 0
+
     def bypass(self, reason: str, on: bool) -> None:
         """While any reason is on, draws go to GL as the program makes them."""
         (self._bypasses.add if on else self._bypasses.discard)(reason)
@@ -133,18 +144,61 @@ class DomeContext:
 
     # Around the draws.
 
-    def dress(self) -> None:
-        """Make the next draws land on the dome; call before each."""
+    def dress(self, patch: Patch = None) -> None:
+        """Make the next draws land on the dome; call before each.
+
+        patch: what the draw hands over as GL_PATCHES to be subdivided, if it does.
+        """
         if self.compiling:
             return
         if self._bypasses:
             self.own.leave_straight(self._planes)
             return
-        if self._stale:
+        if self._dressing is None or self._stale or patch != self._patch:
             self.undress()
+            self._patch = patch
             self._put_on(self._look())
-        elif self._dressing is None:
-            self._put_on(self._look())
+            if patch is not None:
+                self.driver.glPatchParameteri(_PATCH_VERTICES, 2 if patch == "lines" else 3)
+
+    def must_subdivide(self, extent: Extent) -> bool:
+        """Some edge of a mesh may break the tolerance if it is drawn as one straight piece."""
+        if self.compiling or self._bypasses or self.own.current is not None or not self._can_subdivide:
+            return False
+        if self._dressing is None or self._stale:
+            self.dress()
+        placement = self._placement
+        assert placement is not None
+        if placement.hud and self._options.hud != "panel":
+            return False
+        if self._options.method == "tessellate":
+            return True
+        angle = extent.largest_angle(self._to_eye(placement))
+        return angle * self._detail > 1
+
+    @property
+    def _can_subdivide(self) -> bool:
+        if self._options.method not in ("auto", "tessellate"):
+            return False
+        if not self.driver.has("glPatchParameteri"):
+            self.say_once("this OpenGL has no tessellation shaders: long edges stay straight (method vertex)")
+            return False
+        return True
+
+    @property
+    def _detail(self) -> float:
+        """Pieces that an arc of one radian needs."""
+        radius = self.frame.square[2] / 2
+        return pieces_per_radian(self.lens, self._options.fov, radius, self._options.tolerance)
+
+    def _to_eye(self, placement: Placement) -> Sequence[float]:
+        modelview = self.driver.doubles(_MODELVIEW_MATRIX, 16)
+        if placement.place == "modelview":
+            return modelview
+        whole = np.array(placement.view).reshape(4, 4).T
+        if placement.place == "panel":
+            whole = whole @ self._matrix(_PROJECTION_MATRIX)
+        return tuple((whole @ np.array(modelview).reshape(4, 4).T).T.ravel().tolist())
 
     def undress(self) -> None:
         """Give GL back to the program just as it left it."""
@@ -235,6 +289,8 @@ class DomeContext:
                 wide=self._options.fov > 180,
             ),
             scene,
+            self._patch,
+            flat=self._patch is not None and self.driver.integer(_SHADE_MODEL) == _FLAT,
         )
 
     def _enables(self, recipe: Recipe, placement: Placement) -> tuple[int, ...]:
@@ -254,11 +310,19 @@ class DomeContext:
     def _bind(self, recipe: Recipe, placement: Placement) -> int:
         program = self._programs.get(recipe)
         if program is None:
-            program = self._programs[recipe] = Program(self.driver, compose(recipe))
+            program = self._programs[recipe] = self._build(recipe)
         self.driver.glUseProgram(program.name)
+        if recipe.patch is not None:
+            program.set("domeDetail", (self._detail,))
         for name, values in self._uniforms(recipe.mapping, placement):
             program.set(name, values)
         return program.name
+
+    def _build(self, recipe: Recipe) -> Program:
+        if recipe.patch is None:
+            return Program(self.driver, compose(recipe))
+        stages = compose_tessellated(recipe)
+        return Program(self.driver, stages.vertex, control=stages.control, evaluation=stages.evaluation)
 
     def _uniforms(self, mapping: Mapping, placement: Placement) -> list[tuple[str, tuple[float, ...]]]:
         uniforms = [("domeLens", self.lens.uniform)]
