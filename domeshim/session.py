@@ -73,6 +73,9 @@ class Session:
         self._backend_factory = backend
         self._backend: Backend | None = None
         self._window: Window | None = None
+        self._unmet: dict[Window, tuple[int, int]] = {}
+        """Windows opened before there was a dome, by the size that the program believes in."""
+        self._unbent: set[Window] = set()
         self._drawn = False
         self._flushed = False
         self._displaying = False
@@ -89,31 +92,57 @@ class Session:
                 self._backend = choose_backend()
         return self._backend
 
+    @property
+    def backend_given(self) -> bool:
+        """A command chose where windows come from; those of any toolkit shall come from there."""
+        return self._backend_factory is not None
+
+    def dome_made(self, dome: Dome) -> None:
+        """The dome is there from now on; a program may have opened its window before it imported GL."""
+        self.dome = dome
+        self._introduce(self._window)
+
     # What the toolkit tells us of its windows.
 
-    def window_opened(self, window: Window, program_size: tuple[int, int]) -> None:
-        """A window was opened and made current; the program believes in program_size, (width, height)."""
-        self._window = window
-        if self.dome is not None:
-            self.dome.window_opened(window, program_size)
+    def window_opened(self, window: Window, program_size: tuple[int, int], *, bent: bool = True) -> None:
+        """A window was opened and made current; the program believes in program_size, (width, height).
+
+        bent=False: the window's GL has no fixed function, and its pictures are left as they are.
+        """
+        if bent:
+            self._unmet[window] = program_size
+        else:
+            self._unbent.add(window)
+        self.window_current(window)
 
     def window_current(self, window: Window | None) -> None:
         """The program's GL calls go to this window from now on."""
         self._window = window
-        if self.dome is not None:
-            self.dome.window_current(window)
+        if self.dome is not None and not self._introduce(window):
+            self.dome.window_current(None if window in self._unbent else window)
 
     def window_resized(self, window: Window, program_size: tuple[int, int]) -> None:
         """The program's window has this size now, (width, height) in the program's own pixels."""
-        if self.dome is not None:
+        if window in self._unmet:
+            self._unmet[window] = program_size
+        elif self.dome is not None and window not in self._unbent:
             self.dome.window_resized(window, program_size)
 
     def window_closed(self, window: Window) -> None:
         """The window is about to close."""
         if self.dome is not None:
             self.dome.window_closed(window)
+        self._unmet.pop(window, None)
+        self._unbent.discard(window)
         if self._window is window:
             self._window = None
+
+    def _introduce(self, window: Window | None) -> bool:
+        """Open the current window for the dome if the two have not met; whether they just did."""
+        if self.dome is None or window is None or window not in self._unmet:
+            return False
+        self.dome.window_opened(window, self._unmet.pop(window))
+        return True
 
     # How a frame ends: at the swap, or at the flush of a single-buffered program (DESIGN 7).
 
@@ -156,9 +185,9 @@ class Session:
             self._end_frame(window)
 
     def _end_frame(self, window: Window) -> None:
-        self._drawn = self._flushed = False
-        if self.dome is not None:
+        if self.dome is not None and window not in self._unbent:
             self.dome.frame_ending(window)
+        self._drawn = self._flushed = False  # the dome's own last draws belong to the picture that ends
         self.frames += 1
         for listener in tuple(self.listeners):
             listener.frame_finished(window, self.frames)

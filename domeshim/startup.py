@@ -14,6 +14,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from domeshim.errors import DomeError, OptionError
+from domeshim.intercept import toolkits
 from domeshim.intercept.finder import ImportFinder
 from domeshim.session import Session, begin, current
 
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 
     from domeshim.intercept.overlay import Overlay
 
-WATCHED = ("OpenGL.GL", "OpenGL.GLU", "OpenGL.GLUT")
+WATCHED = ("OpenGL.GL", "OpenGL.GLU", "OpenGL.GLUT", *toolkits.WATCHED)
 """The modules under domeshim, by name: a program may carry its own copy of PyOpenGL."""
 
 

@@ -1,10 +1,12 @@
-"""The overlay: names of OpenGL.GL, .GLU and .GLUT lead to ours; the originals stay in one registry."""
+"""The overlay: names of OpenGL.GL, .GLU, .GLUT and of other toolkits lead to ours; it keeps the originals."""
 
 from __future__ import annotations
 
 import sys
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
+
+from domeshim.intercept.toolkits import WATCHED, Toolkits
 
 if TYPE_CHECKING:
     from domeshim.session import Session
@@ -21,12 +23,13 @@ class Overlay:
 
     def __init__(self, session: Session) -> None:
         self._session = session
+        self._toolkits = Toolkits(session)
         self._originals: dict[str, dict[str, Any]] = {}
         self._ours: dict[int, tuple[Any, Any]] = {}
         self._rebound: list[tuple[dict[str, Any], str, Any]] = []
 
     def module_imported(self, name: str, module: ModuleType) -> None:
-        """OpenGL.GL, OpenGL.GLU or OpenGL.GLUT has been imported: lay our names over its own."""
+        """A watched module has been imported: lay our names over its own."""
         if name in self._originals:
             return
         replacements = self._replacements(name, module)
@@ -65,12 +68,14 @@ class Overlay:
                     namespace[key] = ours
 
     def _replacements(self, name: str, module: ModuleType) -> dict[str, Any]:
+        if name in WATCHED:
+            return self._toolkits.replacements(name, module)
         from domeshim.intercept import gl, glu  # noqa: PLC0415 - nothing of this before OpenGL is there
         from domeshim.intercept.dome import Dome  # noqa: PLC0415
 
         session = self._session
         if session.options.enabled and session.dome is None:
-            session.dome = Dome(session)
+            session.dome_made(Dome(session))
         if name == "OpenGL.GLUT":
             from domeshim import GLUT  # noqa: PLC0415
 

@@ -23,7 +23,13 @@ if TYPE_CHECKING:
 
 GRACE = 5.0
 """Real seconds that a program may take to end once its picture is taken."""
-NO_PICTURE = ": it opened no GLUT window, or never swapped its buffers nor flushed"
+_WITHOUT_A_DISPLAY = {
+    "PYOPENGL_PLATFORM": "egl",
+    "SDL_VIDEODRIVER": "dummy",
+    "SDL_AUDIODRIVER": "dummy",
+    "QT_QPA_PLATFORM": "offscreen",
+}
+NO_PICTURE = ": it opened no GL window, or never swapped its buffers nor flushed"
 """What usually keeps a program from finishing any picture."""
 
 
@@ -43,7 +49,7 @@ def take(shot: Shot, options: Options, run: Callable[[], None]) -> NoReturn:
 
     What the program prints and raises passes through. Raises DomeError where no picture came of it.
     """
-    os.environ["PYOPENGL_PLATFORM"] = "egl"  # before anything imports OpenGL
+    os.environ.update(_WITHOUT_A_DISPLAY)  # before anything imports OpenGL or a toolkit
     from domeshim.window.virtual_time import pin_time  # noqa: PLC0415 - only pictures have a time of their own
 
     clock = VirtualClock(shot.fps)

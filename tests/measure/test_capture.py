@@ -145,7 +145,7 @@ def test_a_thread_that_never_ends_does_not_hold_the_finished_capture(capture, pi
             "print('hello')\n",
             1,
             "domeshim: the program ended after 0 pictures; picture 1 was wanted: "
-            "it opened no GLUT window, or never swapped its buffers nor flushed\n",
+            "it opened no GL window, or never swapped its buffers nor flushed\n",
         ),
         (
             "import sys; sys.exit('no such texture')\n",

@@ -1,0 +1,228 @@
+"""pygame: set_mode(OPENGL) opens the window, flip() finishes a picture, and SDL resizes behind the scenes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+from domeshim.intercept.toolkits.timers import VirtualTimers
+from domeshim.intercept.toolkits.windows import ToolkitHost, ToolkitWindow
+from domeshim.window.contract import SurfaceFormat, Window, WindowEvents
+
+if TYPE_CHECKING:
+    from domeshim.session import Session
+
+_FULLSCREEN, _OPENGL, _RESIZABLE, _SCALED = -0x80000000, 0x2, 0x10, 0x200
+_ALPHA, _DOUBLEBUFFER, _DEPTH, _STENCIL, _STEREO = 3, 5, 6, 7, 12
+_ACCUMULATION = (8, 9, 10, 11)
+_SAMPLE_BUFFERS, _SAMPLES = 13, 14
+_FLAGS, _PROFILE = 20, 21
+_FORWARD_COMPATIBLE, _CORE, _ES = 2, 1, 4
+_DEFAULTS = {_DEPTH: 16, _DOUBLEBUFFER: 1}
+"""What SDL gives to a program that has not called gl_set_attribute."""
+
+
+class PygameToolkit(ToolkitHost):
+    """The one window that pygame has."""
+
+    def __init__(self, session: Session) -> None:
+        super().__init__(session, "pygame")
+        self._asked = dict(_DEFAULTS)
+        """What the program asked of GL by gl_set_attribute, by SDL's numbers."""
+        self._window: Window | None = None
+        self._told_size = (0, 0)
+        self._display: Mapping[str, Any] = {}
+        self._event: Mapping[str, Any] = {}
+        self._timers = VirtualTimers(session.clock)
+        self._timer_of: dict[Any, int] = {}
+        self._last_frame = 0
+
+    def replacements(self, name: str, module: ModuleType) -> dict[str, Any]:
+        """Our names for pygame.display, pygame.event or pygame.time."""
+        part = name.rpartition(".")[2]
+        originals = dict(vars(module))
+        if part == "display":
+            self._display = originals
+            given = {"gl_get_attribute": self.gl_get_attribute, "update": self.update}
+            return {
+                "set_mode": self.set_mode,
+                "flip": self.flip,
+                "quit": self.quit,
+                "gl_set_attribute": self.gl_set_attribute,
+            } | (given if self.gives_windows else {})
+        if part == "event":
+            self._event = originals
+            ours = {name: self._pumping(originals[name]) for name in ("get", "poll", "pump")}
+            return ours | {"wait": self.wait}
+        return {"set_timer": self.set_timer} if self.session.clock.virtual else {}
+
+    # pygame.display.
+
+    def set_mode(self, *args: Any, **named: Any) -> Any:
+        """Open pygame's window, or give it another size; one without OPENGL is none of ours."""
+        size = args[0] if args else named.pop("size", (0, 0))
+        flags = args[1] if len(args) > 1 else named.pop("flags", 0)
+        rest = args[2:]
+        if not flags & _OPENGL:
+            return self._display["set_mode"](size, flags, *rest, **named)
+        known = self._window if self._display["get_surface"]() is not None else None
+        if self.gives_windows:
+            surface = self._set_given_mode(known, size, flags, rest, named)
+        else:
+            surface = self._set_own_mode(known, size, flags, rest, named)
+        return surface
+
+    def _set_own_mode(
+        self, known: Window | None, size: Any, flags: int, rest: tuple[Any, ...], named: dict[str, Any]
+    ) -> Any:
+        set_mode = self._display["set_mode"]
+        if known is not None:
+            surface = set_mode(size, flags, *rest, **named)
+            self._look_at_size()
+            return surface
+        surface = self._with_samples(lambda: set_mode(size, flags, *rest, **named))
+        self._told_size = self._display["get_window_size"]()
+        self._window = ToolkitWindow(self._display["get_window_size"], self._display["flip"])
+        self.opened(self._window, self._told_size)
+        return surface
+
+    def _with_samples(self, opening: Callable[[], Any]) -> Any:
+        """Open a window that smooths edges if the program did not ask for one and the driver has it."""
+        if not self.samples_wished or _SAMPLES in self._asked or _SAMPLE_BUFFERS in self._asked:
+            return opening()
+        put = self._display["gl_set_attribute"]
+        put(_SAMPLE_BUFFERS, 1)
+        put(_SAMPLES, self.samples_wished)
+        try:
+            return opening()
+        except Exception:  # noqa: BLE001,RUF100 - pygame.error; asked again as the program did, it may go well
+            put(_SAMPLE_BUFFERS, 0)
+            put(_SAMPLES, 0)
+            return opening()
+
+    def _set_given_mode(
+        self, known: Window | None, size: Any, flags: int, rest: tuple[Any, ...], named: dict[str, Any]
+    ) -> Any:
+        """The window is the session's; pygame, without a display, keeps one for its events."""
+        real = self.session.window_size or tuple(size)
+        surface = self._display["set_mode"](real, flags & ~(_OPENGL | _FULLSCREEN | _SCALED), *rest, **named)
+        real = surface.get_size()
+        if known is None:
+            self._window = self.session.backend.open_window("", real, None, self._format(), WindowEvents())
+            core = bool(self._asked.get(_PROFILE, 0) & (_CORE | _ES))
+            forward = bool(self._asked.get(_FLAGS, 0) & _FORWARD_COMPATIBLE)
+            self._told_size = real
+            self.opened(self._window, real, core=core or forward)
+        elif known.size != real:
+            known.resize(*real)
+            self._look_at_size()
+        if flags & _RESIZABLE and real != tuple(size):
+            self._post("VIDEORESIZE", size=real, w=real[0], h=real[1])
+        return surface
+
+    def _format(self) -> SurfaceFormat:
+        asked = self._asked
+        samples = asked.get(_SAMPLES, 0) if _SAMPLES in asked else self.samples_wished
+        return SurfaceFormat(
+            depth=asked[_DEPTH] > 0,
+            stencil=asked.get(_STENCIL, 0) > 0,
+            alpha=asked.get(_ALPHA, 0) > 0,
+            accumulation=any(asked.get(name, 0) for name in _ACCUMULATION),
+            stereo=bool(asked.get(_STEREO, 0)),
+            samples=samples,
+        )
+
+    def flip(self) -> None:
+        """Finish the picture; a window without OPENGL is shown as ever."""
+        if self._window is None or self._display["get_surface"]() is None:
+            self._display["flip"]()
+            return
+        self.finished(self._window)
+        self._look_at_size()
+
+    def update(self, *args: Any) -> None:
+        """pygame's own refusal on an OPENGL window, which without a display it would not know for one."""
+        if self._window is None:
+            self._display["update"](*args)
+        else:
+            raise self._display["error"]("Cannot update an OPENGL display")
+
+    def quit(self) -> None:
+        """Close the window."""
+        window, self._window = self._window, None
+        if window is not None:
+            self.session.window_closed(window)
+            window.close()
+        self._display["quit"]()
+
+    def gl_set_attribute(self, flag: int, value: int) -> None:
+        """Remember what the program asks for, and pass it on."""
+        self._asked[flag] = value
+        self._display["gl_set_attribute"](flag, value)
+
+    def gl_get_attribute(self, flag: int) -> int:
+        """What the session's window was asked for, which it has."""
+        return self._asked.get(flag, 0)
+
+    def _look_at_size(self) -> None:
+        """Tell the session if the window's size has changed."""
+        window = self._window
+        if window is None or self._display["get_surface"]() is None:
+            return
+        size = window.size
+        if size != self._told_size:
+            self._told_size = size
+            self.session.window_resized(window, size)
+
+    # pygame.event and pygame.time.
+
+    def _pumping(self, original: Callable[..., Any]) -> Callable[..., Any]:
+        """The call, in which SDL hears of the window's new size."""
+
+        def call(*args: Any, **named: Any) -> Any:
+            self._turn_timers()
+            result = original(*args, **named)
+            self._look_at_size()
+            return result
+
+        return call
+
+    def wait(self, *args: Any, **named: Any) -> Any:
+        """Wait for an event; on a clock that counts pictures none will come: a new picture is asked for."""
+        if not self.session.clock.virtual:
+            event = self._event["wait"](*args, **named)
+            self._look_at_size()
+            return event
+        self._turn_timers()
+        if not self._event["peek"]():
+            self._post("VIDEOEXPOSE")
+        return self._event["poll"]()
+
+    def set_timer(self, event: Any, millis: int, loops: int = 0) -> None:
+        """Post the event every so many milliseconds of the session's clock; 0 stops that."""
+        kind = event if isinstance(event, int) else event.type
+        if kind in self._timer_of:
+            self._timers.stop(self._timer_of.pop(kind))
+        left = [loops]
+
+        def post() -> None:
+            self._event["post"](self._event["Event"](kind) if isinstance(event, int) else event)
+            left[0] -= 1
+            if left[0] == 0:
+                self._timers.stop(self._timer_of.pop(kind))
+
+        if millis > 0:
+            self._timer_of[kind] = self._timers.start(millis / 1000.0, post)
+
+    def _turn_timers(self) -> None:
+        """Post what is due; where no picture came since the last look, let time go on to the next timer."""
+        frames = self.session.frames
+        if not self._timers.fire() and frames == self._last_frame and self._timers.go_to_next():
+            self._timers.fire()
+        self._last_frame = frames
+
+    def _post(self, name: str, **attributes: Any) -> None:
+        import pygame  # noqa: PLC0415 - it is the program's, and there
+
+        pygame.event.post(pygame.event.Event(getattr(pygame, name), **attributes))
