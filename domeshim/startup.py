@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 from domeshim.errors import DomeError, OptionError
 from domeshim.intercept import toolkits
-from domeshim.intercept.finder import ImportFinder
+from domeshim.intercept.finder import EXTENSIONS, ImportFinder
 from domeshim.session import Session, begin, current
 
 if TYPE_CHECKING:
@@ -42,7 +42,7 @@ class Installation:
         self._overlay: Overlay | None = None
         self._arrived: deque[tuple[str, ModuleType]] = deque()
         self._busy = threading.Lock()
-        self._finder = ImportFinder(WATCHED, self._imported)
+        self._finder = ImportFinder(WATCHED, self._imported, EXTENSIONS)
         self._former_hook = sys.excepthook
         self._hook = self._show  # one bound method, to be known again by identity
         sys.excepthook = self._hook

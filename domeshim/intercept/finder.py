@@ -13,6 +13,9 @@ from importlib.machinery import ModuleSpec
 from types import ModuleType
 from typing import Any
 
+EXTENSIONS = tuple(f"OpenGL.GL.{vendor}." for vendor in ("ARB", "EXT", "NV", "ATI", "SGIS", "APPLE"))
+"""How the names of the modules begin in which PyOpenGL keeps GL's extensions."""
+
 OnImport = Callable[[str, ModuleType], None]
 """Called with the module's name and the module, complete, each time it has been loaded or reloaded."""
 
@@ -23,8 +26,10 @@ class ImportFinder:
     Not by name a MetaPathFinder: importlib.abc takes longer to load than all the rest of the start-up.
     """
 
-    def __init__(self, names: Collection[str], on_import: OnImport) -> None:
+    def __init__(self, names: Collection[str], on_import: OnImport, prefixes: tuple[str, ...] = ()) -> None:
+        """prefixes: modules whose names begin so are listened for as well, but not looked for when armed."""
         self._names = tuple(names)
+        self._prefixes = prefixes
         self._on_import = on_import
         self._armed = False
 
@@ -49,7 +54,9 @@ class ImportFinder:
         self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None
     ) -> ModuleSpec | None:
         """The spec that the other finders give, for the watched names; None for all others."""
-        if fullname not in self._names or self not in sys.meta_path:
+        if fullname not in self._names and not fullname.startswith(self._prefixes):
+            return None
+        if self not in sys.meta_path:
             return None
         for finder in sys.meta_path[sys.meta_path.index(self) + 1 :]:
             ask = getattr(finder, "find_spec", None)  # Python, too, passes over finders of the old kind

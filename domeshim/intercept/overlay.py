@@ -6,12 +6,14 @@ import sys
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
+from domeshim.intercept.finder import EXTENSIONS
 from domeshim.intercept.toolkits import WATCHED, Toolkits
 
 if TYPE_CHECKING:
     from domeshim.session import Session
 
 _MISSING = object()
+_GL = "OpenGL.GL"
 
 
 class Overlay:
@@ -26,20 +28,27 @@ class Overlay:
         self._toolkits = Toolkits(session)
         self._originals: dict[str, dict[str, Any]] = {}
         self._ours: dict[int, tuple[Any, Any]] = {}
+        self._laid: dict[int, Any] = {}
         self._rebound: list[tuple[dict[str, Any], str, Any]] = []
 
     def module_imported(self, name: str, module: ModuleType) -> None:
         """A watched module has been imported: lay our names over its own."""
-        if name in self._originals:
-            return
+        if name in self._originals or (name.startswith(EXTENSIONS) and _GL not in self._originals):
+            return  # an extension that OpenGL.GL itself imports is covered after it
+        self._cover(name, module)
+        for extension in _loaded_extensions() if name == _GL else ():
+            self._cover(extension.__name__, extension)
+        self._rebind()
+
+    def _cover(self, name: str, module: ModuleType) -> None:
         replacements = self._replacements(name, module)
         self._originals[name] = {key: vars(module).get(key, _MISSING) for key in replacements}
         for key, ours in replacements.items():
             original = self._originals[name][key]
             if original is not _MISSING and callable(original):
                 self._ours[id(original)] = (original, ours)
+            self._laid[id(ours)] = ours
             setattr(module, key, ours)
-        self._rebind(skip=module)
 
     def remove(self) -> None:
         """Put every original back where it was."""
@@ -54,12 +63,13 @@ class Overlay:
             namespace[key] = original
         self._originals.clear()
         self._ours.clear()
+        self._laid.clear()
         self._rebound.clear()
 
-    def _rebind(self, skip: ModuleType) -> None:
+    def _rebind(self) -> None:
         for module in tuple(sys.modules.values()):
             namespace = getattr(module, "__dict__", None)
-            if namespace is None or module is skip or _is_library(getattr(module, "__name__", "")):
+            if namespace is None or _is_library(getattr(module, "__name__", "")):
                 continue
             for key, value in tuple(namespace.items()):
                 original, ours = self._ours.get(id(value), (None, None))
@@ -82,7 +92,30 @@ class Overlay:
             return {key: value for key, value in vars(GLUT).items() if key.startswith(("glut", "GLUT_"))}
         if name == "OpenGL.GLU":
             return glu.replacements(session, module)
-        return gl.replacements(session, module)
+        if name == _GL:
+            return gl.replacements(session, module)
+        known, rest = self._known(module)
+        return known | gl.replacements(session, rest)
+
+    def _known(self, extension: ModuleType) -> tuple[dict[str, Any], ModuleType]:
+        """Names of an extension that OpenGL.GL has as well, each with ours, and a module of all others."""
+        known, rest = {}, ModuleType(extension.__name__)
+        for key, value in vars(extension).items():
+            original, ours = self._ours.get(id(value), (None, None))
+            if original is value:
+                known[key] = ours
+            elif key.startswith("gl") and id(value) not in self._laid:
+                setattr(rest, key, value)
+        return known, rest
+
+
+def _loaded_extensions() -> list[ModuleType]:
+    """Those of PyOpenGL's extensions, and of what it builds on them, that were there before us."""
+    return [
+        module
+        for name, module in tuple(sys.modules.items())
+        if name.startswith(EXTENSIONS) or name in ("OpenGL.GL.shaders", "OpenGL.GL.framebufferobjects")
+    ]
 
 
 def _is_library(module_name: str) -> bool:
