@@ -9,7 +9,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from domeshim.draw.patches import Indices, longest_edge
 
 
 @dataclass(frozen=True)
@@ -21,10 +20,10 @@ class Extent:
     longest: float
 
     @classmethod
-    def of(cls, positions: NDArray[np.floating], primitives: Indices) -> Extent:
-        """The extent of some vertices. positions: (n, 3 or 4); primitives: (m, 1, 2 or 3) indices."""
+    def of(cls, positions: NDArray[np.floating], longest: float) -> Extent:
+        """The extent of some vertices whose longest edge is known. positions: (n, 3 or 4)."""
         low, high = positions[:, :3].min(0), positions[:, :3].max(0)
-        return cls._of_box(low.tolist(), high.tolist(), longest_edge(positions, primitives))
+        return cls._of_box(low.tolist(), high.tolist(), longest)
 
     @classmethod
     def of_few(cls, positions: Sequence[float]) -> Extent:

@@ -5,6 +5,7 @@ The last vertex of each is the one that gives a flat-shaded primitive its colour
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Literal
 
 import numpy as np
@@ -23,6 +24,7 @@ def kind_of(mode: int) -> Kind:
     return "points" if mode == POINTS else "lines" if mode <= LINE_STRIP else "triangles"
 
 
+@lru_cache(maxsize=256)
 def corners(mode: int, count: int) -> Indices:
     """The vertices of each primitive of a mode: (n, 1), (n, 2) or (n, 3) indices into its count vertices."""
     i = np.arange(count)
@@ -55,6 +57,7 @@ def corners(mode: int, count: int) -> Indices:
             return np.stack([i[1:-1], i[2:], np.zeros_like(i[2:])], -1)
 
 
+@lru_cache(maxsize=256)
 def outlines(mode: int, count: int) -> Indices:
     """The program's own edges of each polygon of a mode, as GL_LINE draws them: (n, 2) indices."""
     i = np.arange(count)

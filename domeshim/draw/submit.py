@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from ctypes import c_int, c_uint
+from itertools import groupby
+from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,9 +15,9 @@ from numpy.typing import NDArray
 from domeshim.draw.current import current_setters, current_value
 from domeshim.draw.extent import Extent
 from domeshim.draw.replay import replay
-from domeshim.draw.subdivide import subdivide
+from domeshim.draw.subdivide import has_long_edges, subdivide
 from domeshim.driver import Driver
-from domeshim.record.immediate import INDEPENDENT, Block, Immediate, Run
+from domeshim.record.immediate import Block, Immediate, Run, stretches
 from domeshim.shading.recipe import MATERIAL_UNITS
 
 if TYPE_CHECKING:
@@ -49,11 +51,15 @@ class Submitter:
 
         compiling: into a display list, where an attribute's current value is not known yet.
         """
-        if self._as_given(recorder, compiling=compiling) and not _too_long(recorder, context):
+        few = self._as_given(recorder, compiling=compiling)
+        if few and not _too_long(recorder, context):
+            if recorder.blocks:
+                context.dress()
             self.replay(recorder)
             return
         run = recorder.take()
-        if compiling or not subdivide(run, context, self):
+        long = not compiling and (few or has_long_edges(run, context))
+        if not (long and subdivide(run, context, self)):
             context.dress()
             self._draw_arrays(run)
         self._make_current(run)
@@ -183,23 +189,10 @@ def _too_long(recorder: Immediate, context: DomeContext) -> bool:
 
 
 def _draws(blocks: tuple[Block, ...]) -> Iterator[tuple[int, list[int], list[int]]]:
-    """(mode, firsts, counts) of each draw: blocks of one mode in a row go together, touching ones as one."""
-    mode, firsts, counts = -1, [], []  # type: int, list[int], list[int]
-    for block in blocks:
-        size = INDEPENDENT.get(block.mode)
-        count = block.end - block.first
-        count -= count % size if size else 0
-        if block.mode != mode:
-            if firsts:
-                yield mode, firsts, counts
-            mode, firsts, counts = block.mode, [block.first], [count]
-        elif size and firsts[-1] + counts[-1] == block.first:
-            counts[-1] += count
-        else:
-            firsts.append(block.first)
-            counts.append(count)
-    if firsts:
-        yield mode, firsts, counts
+    """(mode, firsts, counts) of each draw: stretches of one mode in a row go together."""
+    for mode, group in groupby(stretches(blocks), key=itemgetter(0)):
+        together = list(group)
+        yield mode, [first for _, first, _ in together], [count for _, _, count in together]
 
 
 def _unit(name: str) -> int:

@@ -110,8 +110,8 @@ class Dome:
             if recorder.materials:
                 self._flush_materials(current)
                 return
-            current.context.dress()
         if recorder.extras:
+            current.context.dress()
             with inside_block(current.context):
                 current.submitter.submit(recorder, current.context)
         else:

@@ -6,7 +6,7 @@ a colour set once costs once; blocks that follow each other become one draw.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -59,6 +59,23 @@ class Run:
     blocks: tuple[Block, ...]
     last: tuple[tuple[str, tuple[float, ...]], ...]
     """What each attribute was set to last."""
+
+
+def stretches(blocks: tuple[Block, ...]) -> Iterator[tuple[int, int, int]]:
+    """(mode, first, count) of each draw: touching blocks of one mode whose primitives share nothing are one."""
+    waiting: tuple[int, int, int] | None = None
+    for block in blocks:
+        size = INDEPENDENT.get(block.mode)
+        count = block.end - block.first
+        count -= count % size if size else 0
+        if waiting is not None and size and waiting[0] == block.mode and sum(waiting[1:]) == block.first:
+            waiting = (block.mode, waiting[1], waiting[2] + count)
+            continue
+        if waiting is not None:
+            yield waiting
+        waiting = (block.mode, block.first, count)
+    if waiting is not None:
+        yield waiting
 
 
 class Immediate:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -49,7 +50,7 @@ class DomeContext:
 
     def __init__(self, options: Options, frame: Frame, driver: Driver) -> None:
         self.driver = driver
-        self.frame = frame
+        self._frame = frame
         self.lens: Lens = lens_of(*options.lens, options.fov)
         self.rim = rim_radius(self.lens, options.fov)
         self.placer = Placer(options)
@@ -77,9 +78,9 @@ class DomeContext:
 
     def matrix_mode_changed(self, mode: int) -> None:
         """Calls on the matrix stacks go to this one from now on."""
-        self._matrix_mode = mode
-        self._projection_stale = self._projection_stale or mode == _PROJECTION
-        if mode == _TEXTURE:
+        left, self._matrix_mode = self._matrix_mode, mode
+        self._projection_stale = self._projection_stale or _PROJECTION in (left, mode)
+        if _TEXTURE in (left, mode):
             self.scene.stale.add("textures")
 
     def anything_changed(self) -> None:
@@ -111,6 +112,12 @@ class DomeContext:
         if self.driver.integer(_CURRENT_PROGRAM) == name:
             self._bypass_own(name)
 
+    def uniform_sent(self) -> None:
+        """The program is about to give a uniform of its own a value."""
+        if self.own.fragments is not None:
+            self.undress()
+            self.own.fragments.uniforms_changed()
+
     def matrix_sent(self, location: int) -> None:
         """The program has sent a matrix to a uniform of its own."""
         p = self.own.matrix_sent(location)
@@ -119,7 +126,11 @@ class DomeContext:
             self._projection_stale = True
 
     def _bypass_own(self, name: int) -> None:
-        self.bypass("program", on=name != 0 and self.own.current is None)
+        self.bypass("program", on=name != 0 and self.own.current is None and self.own.fragments is None)
+        units = self.own.fragments.texture_units if self.own.fragments else frozenset()
+        if units != self.scene.read_units:
+            self.scene.read_units = units
+            self.scene.stale.add("textures")
         self._projection_stale = True
         if "program" in self._bypasses:
             why = self.own.complaints.get(name, "not linked from GLSL that could be seen")
@@ -165,10 +176,9 @@ class DomeContext:
         """Some edge of a mesh may break the tolerance if it is drawn as one straight piece."""
         if self.compiling or self._bypasses or self.own.current is not None or not self._can_subdivide:
             return False
-        if self._dressing is None or self._stale:
-            self.dress()
-        placement = self._placement
-        assert placement is not None
+        if self._stale:
+            self.undress()
+        placement = self._see_placement()
         if placement.hud and self._options.hud != "panel":
             return False
         if self._options.method == "tessellate":
@@ -185,11 +195,22 @@ class DomeContext:
             return False
         return True
 
-    @property
+    @cached_property
     def _detail(self) -> float:
         """Pieces that an arc of one radian needs."""
-        radius = self.frame.square[2] / 2
+        radius = self._frame.square[2] / 2
         return pieces_per_radian(self.lens, self._options.fov, radius, self._options.tolerance)
+
+    @property
+    def frame(self) -> Frame:
+        """The real picture, and the window that the program believes in."""
+        return self._frame
+
+    @frame.setter
+    def frame(self, frame: Frame) -> None:
+        self._frame = frame
+        self._projection_stale = True
+        vars(self).pop("_detail", None)
 
     def _to_eye(self, placement: Placement) -> Sequence[float]:
         modelview = self.driver.doubles(_MODELVIEW_MATRIX, 16)
@@ -214,7 +235,7 @@ class DomeContext:
         if dressing.viewport != self._viewport:
             gl.glViewport(*self._viewport)
         if dressing.program:
-            gl.glUseProgram(0)
+            gl.glUseProgram(self.own.fragments.name if self.own.fragments else 0)
 
     @property
     def _planes(self) -> tuple[int, ...]:
@@ -232,6 +253,9 @@ class DomeContext:
     def _look(self) -> tuple[Placement, Scene]:
         if self._matrix_mode == _TEXTURE:
             self.scene.stale.add("textures")
+        return self._see_placement(), self.scene.scene()
+
+    def _see_placement(self) -> Placement:
         if (
             self._placement is None
             or self._projection_stale
@@ -239,7 +263,7 @@ class DomeContext:
             or self.placer.on_modelview
         ):
             self._placement = self._ask_placement()
-        return self._placement, self.scene.scene()
+        return self._placement
 
     def _ask_placement(self) -> Placement:
         x, y, w, h = self.driver.integers(_VIEWPORT, 4)
@@ -308,10 +332,14 @@ class DomeContext:
         return (_RASTERIZER_DISCARD,) if placement.hud and self._options.hud == "off" else ()
 
     def _bind(self, recipe: Recipe, placement: Placement) -> int:
-        program = self._programs.get(recipe)
+        fragments = self.own.fragments
+        programs = self._programs if fragments is None else fragments.programs
+        program = programs.get(recipe)
         if program is None:
-            program = self._programs[recipe] = self._build(recipe)
+            program = programs[recipe] = self._build(recipe)
         self.driver.glUseProgram(program.name)
+        if fragments is not None:
+            fragments.send_to(program)
         if recipe.patch is not None:
             program.set("domeDetail", (self._detail,))
         for name, values in self._uniforms(recipe.mapping, placement):
@@ -319,10 +347,17 @@ class DomeContext:
         return program.name
 
     def _build(self, recipe: Recipe) -> Program:
+        shaders = self.own.fragments.shaders if self.own.fragments else ()
         if recipe.patch is None:
-            return Program(self.driver, compose(recipe))
+            return Program(self.driver, compose(recipe), attached=shaders)
         stages = compose_tessellated(recipe)
-        return Program(self.driver, stages.vertex, control=stages.control, evaluation=stages.evaluation)
+        return Program(
+            self.driver,
+            stages.vertex,
+            control=stages.control,
+            evaluation=stages.evaluation,
+            attached=shaders,
+        )
 
     def _uniforms(self, mapping: Mapping, placement: Placement) -> list[tuple[str, tuple[float, ...]]]:
         uniforms = [("domeLens", self.lens.uniform)]
