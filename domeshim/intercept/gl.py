@@ -31,12 +31,13 @@ _DRAWS = re.compile(
     r"gl(Draw(Arrays|Elements|RangeElements|Pixels)\w*|MultiDraw\w+|EvalMesh[12]|Bitmap|CopyPixels"
     r"|(Raster|Window)Pos\d?[dfis]?v?)"
 )
-_LIGHTING = re.compile(r"gl(Light(|[fi]v?)|LightModel(|[fi]v?)|ColorMaterial)")
+_LIGHTING = re.compile(r"gl(Light(|[fi]v?)|LightModel(|[fi]v?))")
 _TEXTURES = re.compile(r"glTexGen(|[dfi]v?)")
 _REST = re.compile(r"gl(Fog(|[fi]v?)|PointParameter(|[fi]v?))")
 _LOADS = re.compile(r"gl(Load|Mult)(Transpose)?Matrix[df]?")
 _GETS = re.compile(r"glGet(Boolean|Double|Float|Integer)(v|)|glIsEnabled")
 _READS = re.compile(r"glGetHandle|glReadPixels\w*|glCopyTex\w+|glAccum|glClear")
+_UNIFORMS = re.compile(r"glUniform\w+")
 _RECTS = re.compile(r"glRect[dfis](v?)")
 _UNSEEN = re.compile(r"glGetError|glGetString\w*|glCheckError|glInit\w+")
 """Neither changes anything nor depends on what was drawn."""
@@ -55,7 +56,7 @@ _TOUCHED = frozenset(
     )
 )
 """What the dome changes while it draws: before the program asks for one of these it is put back."""
-_RENDER, _TEXTURE0, _PROJECTION = 0x1C00, 0x84C0, 0x1701
+_CURRENT_COLOR, _RENDER, _TEXTURE0, _PROJECTION = 0x0B00, 0x1C00, 0x84C0, 0x1701
 
 
 def replacements(session: Session, module: ModuleType) -> dict[str, Call]:
@@ -179,6 +180,19 @@ def _get(dome: Dome, original: Call) -> Call:
         if name in _TOUCHED and dome.context is not None:
             dome.context.undress()
         return original(name, *args)
+
+    return call
+
+
+def _color_material(dome: Dome, original: Call) -> Call:
+    """glColorMaterial: the material keeps the colour that it has followed, also one set since the last draw."""
+
+    def call(*args: Any) -> Any:
+        context = dome.context
+        if context is not None:
+            context.driver.integers(_CURRENT_COLOR, 4)  # Mesa hands colours on when it is asked for them
+            context.scene.stale.add("lighting")
+        return original(*args)
 
     return call
 
@@ -308,6 +322,7 @@ _SPECIAL: Mapping[str, Maker] = {
     "glEnable": _switch,
     "glDisable": _switch,
     "glActiveTexture": _active_texture,
+    "glColorMaterial": kept_in_lists(_color_material),
     "glViewport": kept_in_lists(_viewport),
     "glScissor": kept_in_lists(_viewport),
     "glMatrixMode": _matrix_mode,
@@ -330,6 +345,7 @@ _SPECIAL: Mapping[str, Maker] = {
 }
 _FAMILIES: tuple[tuple[re.Pattern[str], Maker], ...] = (
     (_DRAWS, _draw),
+    (_UNIFORMS, shaders.uniform),
     (_LIGHTING, kept_in_lists(_staling("lighting"))),
     (_TEXTURES, kept_in_lists(_staling("textures"))),
     (_REST, kept_in_lists(_staling("rest"))),

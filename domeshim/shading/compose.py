@@ -9,7 +9,16 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
-from domeshim.shading.recipe import ColorMaterial, Light, Lighting, Mapping, Recipe, Scene, Texture
+from domeshim.shading.recipe import (
+    MATERIAL_UNITS,
+    ColorMaterial,
+    Light,
+    Lighting,
+    Mapping,
+    Recipe,
+    Scene,
+    Texture,
+)
 from domeshim.shading.snippets import snippet
 
 VERSION = "#version 150 compatibility"
@@ -149,6 +158,8 @@ def _lit_face(draft: Draft, lighting: Lighting, face: str, normal: str) -> None:
     surface = face.lower()
     draft.need("light/surface")
     draft.add(f"Surface {surface} = surfaceOf(gl_{face}Material, {normal});")
+    if lighting.vertex_material in (surface, "both"):
+        draft.add(*_carried(surface))
     draft.add(*_followed(lighting.color_material, surface))
     for light in lighting.lights:
         _light(draft, light, surface)
@@ -156,6 +167,12 @@ def _lit_face(draft: Draft, lighting: Lighting, face: str, normal: str) -> None:
     draft.add(f"gl_{face}Color = litColor({surface});")
     if lighting.separate_specular:
         draft.add(f"gl_{face}SecondaryColor = litSecondaryColor({surface});")
+
+
+def _carried(surface: str) -> Iterator[str]:
+    for part, unit in MATERIAL_UNITS.items():
+        value = f"gl_MultiTexCoord{unit}" + (".x" if part == "shininess" else "")
+        yield f"{surface}.{part} = {value};"
 
 
 def _followed(material: ColorMaterial | None, surface: str) -> Iterator[str]:
@@ -183,12 +200,12 @@ _TEXGEN = {
 def _texture(draft: Draft, texture: Texture) -> None:
     u = texture.unit
     draft.add(f"vec4 texture{u} = gl_MultiTexCoord{u};")
-    for axis, generated in zip("strq", texture.generated, strict=True):
+    for axis, generated in zip("stpq", texture.generated, strict=True):
         if generated is None:
             continue
         if generated in ("sphere", "reflection"):
             draft.need(f"texture/{generated}")
-        draft.add(f"texture{u}.{axis} = " + _TEXGEN[generated].format(C=axis.upper(), c=axis, u=u) + ";")
+        draft.add(f"texture{u}.{axis} = " + _TEXGEN[generated].format(C="R" if axis == "p" else axis.upper(), c=axis, u=u) + ";")
     draft.add(
         f"gl_TexCoord[{u}] = " + (f"gl_TextureMatrix[{u}] * " if texture.matrix else "") + f"texture{u};"
     )

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 GL_LIGHTING, GL_LIGHT0, GL_COLOR_MATERIAL = 0x0B50, 0x4000, 0x0B57
 GL_NORMALIZE, GL_RESCALE_NORMAL = 0x0BA1, 0x803A
-GL_TEXTURES = (0x0DE1, 0x0DE0, 0x806F, 0x8513)  # 2D, 1D, 3D, cube map
+GL_TEXTURES = (0x0DE1, 0x0DE0, 0x806F, 0x8513, 0x84F5)  # 2D, 1D, 3D, cube map, rectangle
 GL_TEXTURE_GEN_S = 0x0C60
 GL_FOG, GL_COLOR_SUM, GL_CLIP_PLANE0 = 0x0B60, 0x8458, 0x3000
 
@@ -71,6 +71,8 @@ class SceneState:
         """The face whose material comes with each vertex of the next draw."""
         self.texture_units = 1
         """How many texture units the program has ever made active."""
+        self.read_units: frozenset[int] = frozenset()
+        """Units whose coordinates a fragment shader reads, though none of their textures need be enabled."""
 
     def scene(self) -> Scene:
         """What the program has enabled now."""
@@ -128,11 +130,12 @@ class SceneState:
 
     def _ask_textures(self) -> tuple[Texture, ...]:
         gl = self._driver
-        if self.texture_units == 1:
+        units = max(self.texture_units, *(unit + 1 for unit in self.read_units), 1)
+        if units == 1:
             return tuple(self._unit_texture(0))
         active = gl.integer(_ACTIVE_TEXTURE)
         found: list[Texture] = []
-        for unit in range(self.texture_units):
+        for unit in range(units):
             gl.glActiveTexture(_TEXTURE0 + unit)
             found += self._unit_texture(unit)
         gl.glActiveTexture(active)
@@ -140,7 +143,7 @@ class SceneState:
 
     def _unit_texture(self, unit: int) -> list[Texture]:
         gl = self._driver
-        if not any(gl.glIsEnabled(target) for target in GL_TEXTURES):
+        if unit not in self.read_units and not any(gl.glIsEnabled(target) for target in GL_TEXTURES):
             return []
         s, t, r, q = (self._texgen(GL_TEXTURE_GEN_S + axis, 0x2000 + axis) for axis in range(4))
         matrix = (c_float * 16)()
