@@ -46,10 +46,23 @@ def delete_program(dome: Dome, original: Call) -> Call:
     return call
 
 
+def uniform(dome: Dome, original: Call) -> Call:
+    """glUniform of all kinds."""
+
+    def call(*args: Any) -> Any:
+        if dome.context is not None:
+            dome.context.uniform_sent()
+        return original(*args)
+
+    return call
+
+
 def uniform_matrix(dome: Dome, original: Call) -> Call:
     """glUniformMatrix4fv: the perspective may be in there."""
 
     def call(location: Any, *args: Any) -> Any:
+        if dome.context is not None:
+            dome.context.uniform_sent()
         result = original(location, *args)
         if dome.context is not None:
             dome.context.matrix_sent(int(location))

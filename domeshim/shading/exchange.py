@@ -16,7 +16,7 @@ from domeshim.state.perspective import Matrix
 
 _STAGES: Mapping[int, Stage] = {0x8DD9: "geometry", 0x8E87: "evaluation", 0x8B31: "vertex"}
 """The stages that can leave gl_Position, the last first."""
-_SHADER_TYPE, _COMPILE_STATUS, _LINK_STATUS = 0x8B4F, 0x8B81, 0x8B82
+_FRAGMENT, _SHADER_TYPE, _COMPILE_STATUS, _LINK_STATUS = 0x8B30, 0x8B4F, 0x8B81, 0x8B82
 _ATTACHED_SHADERS, _SOURCE_LENGTH = 0x8B85, 0x8B88
 
 
@@ -39,6 +39,8 @@ class Linked:
 
     program: OwnProgram | None
     complaint: str | None = None
+    fragments: tuple[str, ...] = ()
+    """The texts of its fragment shaders, where it has no others."""
 
 
 @dataclass(frozen=True)
@@ -53,12 +55,17 @@ def link(driver: Driver, program: int, landing: Landing, original: Callable[[], 
 
     original: the program's own call of glLinkProgram; always made, and made last where ours does not link.
     """
-    shaders = _attached(driver, program)
+    attached = _attached(driver, program)
+    shaders = [
+        _Shader(name, _STAGES[kind], _text(driver, name)) for name, kind in attached if kind in _STAGES
+    ]
     mains = [s for stage in _STAGES.values() for s in shaders if s.stage == stage and has_main(s.text)]
     last = next(iter(mains), None)
     if last is None or not all(_shader_value(driver, s.name, _COMPILE_STATUS) for s in shaders):
         original()
-        return Linked(None, None if shaders else "fragment only")
+        alone = not shaders and _program_value(driver, program, _LINK_STATUS)
+        texts = (_text(driver, name) for name, kind in attached if alone and kind == _FRAGMENT)
+        return Linked(None, fragments=tuple(texts))
     own_matrices = not any(uses_projection(s.text) for s in shaders)
     try:
         for candidate in rewritten(last.text, last.stage, landing):
@@ -79,17 +86,12 @@ def _links(driver: Driver, program: int, shader: _Shader, candidate: Rewritten) 
     return bool(_program_value(driver, program, _LINK_STATUS))
 
 
-def _attached(driver: Driver, program: int) -> list[_Shader]:
-    """The attached shaders that come before the fragments."""
+def _attached(driver: Driver, program: int) -> list[tuple[int, int]]:
+    """(name, GL's type) of each attached shader."""
     count = _program_value(driver, program, _ATTACHED_SHADERS)
     names = (c_uint * max(count, 1))()
     driver.glGetAttachedShaders(program, count, None, names)
-    found = []
-    for name in names[:count]:
-        stage = _STAGES.get(_shader_value(driver, name, _SHADER_TYPE))
-        if stage is not None:
-            found.append(_Shader(name, stage, _text(driver, name)))
-    return found
+    return [(name, _shader_value(driver, name, _SHADER_TYPE)) for name in names[:count]]
 
 
 def _text(driver: Driver, shader: int) -> str:

@@ -56,6 +56,8 @@ class Uniforms:
 class Program(Uniforms):
     """A linked program of one GL context.
 
+    attached: compiled shader objects that go in beside the sources.
+
     Raises ShaderError with the driver's words, each place in them named by our file and line.
     """
 
@@ -66,6 +68,7 @@ class Program(Uniforms):
         fragment: Source | None = None,
         control: Source | None = None,
         evaluation: Source | None = None,
+        attached: Sequence[int] = (),
     ) -> None:
         super().__init__(driver, driver.glCreateProgram())
         stages = ((_VERTEX, vertex), (_CONTROL, control), (_EVALUATION, evaluation), (_FRAGMENT, fragment))
@@ -75,6 +78,8 @@ class Program(Uniforms):
             shader = _compile(driver, stage, source)
             driver.glAttachShader(self.name, shader)
             driver.glDeleteShader(shader)  # goes with the program
+        for shader in attached:
+            driver.glAttachShader(self.name, shader)
         driver.glLinkProgram(self.name)
         linked = c_int()
         driver.glGetProgramiv(self.name, _LINK_STATUS, linked)

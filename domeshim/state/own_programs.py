@@ -11,6 +11,7 @@ from domeshim.driver import Driver
 from domeshim.lens.models import Lens
 from domeshim.options import Options
 from domeshim.shading.exchange import OwnProgram, link
+from domeshim.shading.fragments import FragmentStage
 from domeshim.shading.own import CLIP_DISTANCES, Landing
 from domeshim.state.perspective import Matrix, is_perspective, perspective_part
 from domeshim.state.placement import Placement
@@ -31,30 +32,48 @@ class OwnPrograms:
         self._tilt = (float(np.cos(tilt)), float(np.sin(tilt)))
         self._landing = Landing(lens.name, tilted=options.tilt != 0, wide=options.fov > 180)
         self._programs: dict[int, OwnProgram] = {}
+        self._stages: dict[int, FragmentStage] = {}
         self.complaints: dict[int, str] = {}
         """Why a linked program is not on the dome, by its name."""
         self.current: OwnProgram | None = None
-        """The one that is bound; None also for a program that is not on the dome."""
+        """The one that is bound and ends on the dome by itself."""
+        self.fragments: FragmentStage | None = None
+        """The one that is bound, of fragment shaders alone."""
 
     def link(self, name: int, original: Callable[[], object]) -> None:
         """Link a program with its positions ending on the dome; original: the program's own call."""
         linked = link(self._driver, name, self._landing, original)
+        if self.fragments is not None and self.fragments.name == name:
+            self.fragments = None
         self.forget(name)
         if linked.program is not None:
             self._programs[name] = linked.program
+        elif linked.fragments:
+            self._add_stage(FragmentStage(self._driver, name, linked.fragments))
         elif linked.complaint is not None:
             self.complaints[name] = linked.complaint
         if self._driver.integer(_CURRENT_PROGRAM) == name:
-            self.current = linked.program
+            self.use(name)
 
     def use(self, name: int) -> None:
         """This program is bound from now on; 0: none."""
         self.current = self._programs.get(name)
+        self.fragments = self._stages.get(name)
 
     def forget(self, name: int) -> None:
         """The program is deleted or linked anew."""
         self._programs.pop(name, None)
         self.complaints.pop(name, None)
+        stage = self._stages.get(name)
+        if stage is not None and stage is not self.fragments:
+            self._stages.pop(name).delete()
+
+    def _add_stage(self, stage: FragmentStage) -> None:
+        if stage.unknown is None:
+            self._stages[stage.name] = stage
+        else:
+            self.complaints[stage.name] = f"its uniform {stage.unknown} cannot be handed over"
+            stage.delete()
 
     def matrix_sent(self, location: int) -> Matrix | None:
         """A uniform of the bound program has got a matrix: the perspective in it, if that is news."""
