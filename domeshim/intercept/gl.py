@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from domeshim.intercept import recorded, shaders
+from domeshim.intercept.arrays import draw_arrays, draw_elements, draw_range_elements, writes_buffer
 from domeshim.intercept.dome import Dome
 from domeshim.intercept.lists import call_list, call_lists, delete_lists, end_list, new_list
 from domeshim.record.attributes import setter
@@ -319,6 +320,9 @@ def _render_mode(dome: Dome, original: Call) -> Call:
 
 
 _SPECIAL: Mapping[str, Maker] = {
+    "glDrawArrays": draw_arrays,
+    "glDrawElements": draw_elements,
+    "glDrawRangeElements": draw_range_elements,
     "glEnable": _switch,
     "glDisable": _switch,
     "glActiveTexture": _active_texture,
@@ -339,11 +343,19 @@ _SPECIAL: Mapping[str, Maker] = {
     "glUseProgramObject": kept_in_lists(shaders.use_program),
     "glDeleteProgram": shaders.delete_program,
     "glDeleteObject": shaders.delete_program,
+    "glGetProgramiv": shaders.program_value,
+    "glGetObjectParameteriv": shaders.program_value,
+    "glGetActiveUniform": shaders.active_uniform,
     "glUniformMatrix4fv": shaders.uniform_matrix,
     "glRenderMode": _render_mode,
     "glClear": kept_in_lists(_read),
 }
+_WRITES_BUFFER = re.compile(
+    r"gl(Named)?(BufferData|BufferSubData|BufferStorage)\w*|gl(Unm|M)ap\w*Buffer\w*|glCopy\w*BufferSubData"
+    r"|glDeleteBuffers|glClear\w*Buffer(Sub)?Data"
+)
 _FAMILIES: tuple[tuple[re.Pattern[str], Maker], ...] = (
+    (_WRITES_BUFFER, writes_buffer),
     (_DRAWS, _draw),
     (_UNIFORMS, shaders.uniform),
     (_LIGHTING, kept_in_lists(_staling("lighting"))),

@@ -6,8 +6,11 @@ from collections.abc import Callable
 from typing import Any
 
 from domeshim.intercept.dome import Dome
+from domeshim.shading.exchange import OwnProgram
 
 Call = Callable[..., Any]
+
+_ACTIVE_UNIFORMS = 0x8B86
 
 
 def link_program(dome: Dome, original: Call) -> Call:
@@ -69,6 +72,42 @@ def uniform_matrix(dome: Dome, original: Call) -> Call:
         return result
 
     return call
+
+
+def program_value(dome: Dome, original: Call) -> Call:
+    """glGetProgramiv and glGetObjectParameterivARB: the dome's uniforms do not count."""
+
+    def call(program: Any, pname: Any, *args: Any, **named: Any) -> Any:
+        result = original(program, pname, *args, **named)
+        own = _own(dome, program)
+        if own is None or pname != _ACTIVE_UNIFORMS:
+            return result
+        for given in (*args, *named.values()):
+            if hasattr(given, "value"):
+                given.value -= own.hidden
+            else:
+                given[0] -= own.hidden
+            return result
+        return result - own.hidden
+
+    return call
+
+
+def active_uniform(dome: Dome, original: Call) -> Call:
+    """glGetActiveUniform: by its number among the program's own uniforms."""
+
+    def call(program: Any, index: Any, *args: Any, **named: Any) -> Any:
+        own = _own(dome, program)
+        if own is not None:
+            number = name_of(index)
+            index = own.visible[number] if number < len(own.visible) else number + own.hidden
+        return original(program, index, *args, **named)
+
+    return call
+
+
+def _own(dome: Dome, program: Any) -> OwnProgram | None:
+    return dome.context.own.named(name_of(program)) if dome.context is not None else None
 
 
 def name_of(program: Any) -> int:

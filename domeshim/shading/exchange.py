@@ -5,7 +5,7 @@ The shader objects keep the program's text, before and after, and so do all logs
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from ctypes import c_char_p, c_int, c_uint, create_string_buffer
 from dataclasses import dataclass
 
@@ -17,13 +17,18 @@ from domeshim.state.perspective import Matrix
 _STAGES: Mapping[int, Stage] = {0x8DD9: "geometry", 0x8E87: "evaluation", 0x8B31: "vertex"}
 """The stages that can leave gl_Position, the last first."""
 _FRAGMENT, _SHADER_TYPE, _COMPILE_STATUS, _LINK_STATUS = 0x8B30, 0x8B4F, 0x8B81, 0x8B82
-_ATTACHED_SHADERS, _SOURCE_LENGTH = 0x8B85, 0x8B88
+_ATTACHED_SHADERS, _ACTIVE_UNIFORMS, _SOURCE_LENGTH = 0x8B85, 0x8B86, 0x8B88
+_OURS = frozenset(
+    ("domeMode", "domeFromClip", "domePlanes", "domeLens", "domeDepth", "domeTilt", "domeRim")
+    + ("gl_ClipPlane", "gl_ProjectionMatrixInverse")
+)
 
 
 class OwnProgram(Uniforms):
     """A linked program of the program's own whose positions end on the dome."""
 
-    def __init__(self, driver: Driver, name: int, *, cut: bool, own_matrices: bool) -> None:
+    def __init__(self, driver: Driver, name: int, text: str, *, cut: bool, own_matrices: bool) -> None:
+        """text: of the program's shader that was exchanged."""
         super().__init__(driver, name)
         self.cut = cut
         """It cuts by CLIP_DISTANCES."""
@@ -31,6 +36,9 @@ class OwnProgram(Uniforms):
         """Its projection, if any, is in a uniform of its own."""
         self.perspective: Matrix | None = None
         """The perspective last seen in such a uniform."""
+        self.visible = tuple(i for i, u in enumerate(_uniforms(driver, name)) if u not in _OURS or u in text)
+        """Which active uniforms are the program's own, by GL's index."""
+        self.hidden = _program_value(driver, name, _ACTIVE_UNIFORMS) - len(self.visible)
 
 
 @dataclass(frozen=True)
@@ -70,7 +78,8 @@ def link(driver: Driver, program: int, landing: Landing, original: Callable[[], 
     try:
         for candidate in rewritten(last.text, last.stage, landing):
             if _links(driver, program, last, candidate):
-                return Linked(OwnProgram(driver, program, cut=candidate.cut, own_matrices=own_matrices))
+                own = OwnProgram(driver, program, last.text, cut=candidate.cut, own_matrices=own_matrices)
+                return Linked(own)
     finally:
         _compile(driver, last.name, last.text)
     original()
@@ -92,6 +101,14 @@ def _attached(driver: Driver, program: int) -> list[tuple[int, int]]:
     names = (c_uint * max(count, 1))()
     driver.glGetAttachedShaders(program, count, None, names)
     return [(name, _shader_value(driver, name, _SHADER_TYPE)) for name in names[:count]]
+
+
+def _uniforms(driver: Driver, program: int) -> Iterator[str]:
+    """The names of the active uniforms, by index."""
+    name = create_string_buffer(256)
+    for index in range(_program_value(driver, program, _ACTIVE_UNIFORMS)):
+        driver.glGetActiveUniform(program, index, len(name), None, c_int(), c_uint(), name)
+        yield name.value.decode(errors="replace").removesuffix("[0]")
 
 
 def _text(driver: Driver, shader: int) -> str:

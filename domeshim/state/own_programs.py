@@ -60,6 +60,10 @@ class OwnPrograms:
         self.current = self._programs.get(name)
         self.fragments = self._stages.get(name)
 
+    def named(self, name: int) -> OwnProgram | None:
+        """The program of this name if it ends on the dome by itself."""
+        return self._programs.get(name)
+
     def forget(self, name: int) -> None:
         """The program is deleted or linked anew."""
         self._programs.pop(name, None)
