@@ -18,10 +18,10 @@ _STAGES: Mapping[int, Stage] = {0x8DD9: "geometry", 0x8E87: "evaluation", 0x8B31
 """The stages that can leave gl_Position, the last first."""
 _FRAGMENT, _SHADER_TYPE, _COMPILE_STATUS, _LINK_STATUS = 0x8B30, 0x8B4F, 0x8B81, 0x8B82
 _ATTACHED_SHADERS, _ACTIVE_UNIFORMS, _SOURCE_LENGTH = 0x8B85, 0x8B86, 0x8B88
-_OURS = frozenset(
-    ("domeMode", "domeFromClip", "domePlanes", "domeLens", "domeDepth", "domeTilt", "domeRim")
-    + ("gl_ClipPlane", "gl_ProjectionMatrixInverse")
-)
+_OURS = {
+    *("domeMode", "domeFromClip", "domePlanes", "domeLens", "domeDepth", "domeTilt", "domeRim"),
+    *("gl_ClipPlane", "gl_ProjectionMatrixInverse"),
+}
 
 
 class OwnProgram(Uniforms):
