@@ -46,23 +46,14 @@ def _vertices(gl: Driver, recorder: Immediate, block: Block, changes: list[_Chan
             changes[k][1](*changes[k][2])
             k += 1
             next_change = changes[k][0]
-        while extras and extras[0][0] == vertex:
-            extras.pop(0)[1]()
+        if extras and vertex in extras:
+            extras[vertex]()
+            continue
         x, y, z = positions[3 * vertex : 3 * vertex + 3]
         if has_w:
             vertex4(x, y, z, recorder.w(vertex))
         else:
             vertex3(x, y, z)
-    while extras:
-        k = _change_before(extras[0][0], changes, k)
-        extras.pop(0)[1]()
-    return k
-
-
-def _change_before(vertex: int, changes: list[_Change], k: int) -> int:
-    while changes[k][0] <= vertex:
-        changes[k][1](*changes[k][2])
-        k += 1
     return k
 
 

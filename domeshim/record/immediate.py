@@ -43,7 +43,8 @@ class Block:
     mode: int
     first: int
     end: int = 0
-    extras: list[tuple[int, Callable[[], object]]] = field(default_factory=list)
+    extras: dict[int, Callable[[], object]] = field(default_factory=dict)
+    """By the place that they take among the vertices."""
 
 
 @dataclass(frozen=True)
@@ -122,13 +123,19 @@ class Immediate:
         if block is not None:
             block.end = len(self.positions) // 3
             self.block = None
-            if block.end == block.first and not block.extras:
+            if block.end == block.first:
                 self.blocks.pop()
 
     @property
     def has_w(self) -> bool:
         """Some vertex has a fourth coordinate other than 1."""
         return bool(self._w)
+
+    @property
+    def sets_late(self) -> bool:
+        """Some attribute is first set after vertices that have whatever value is current."""
+        first = 3 * self.blocks[0].first if self.blocks else -1
+        return any(events.places[0] > first for _, events in self.used)
 
     def w(self, vertex: int) -> float:
         """A vertex's fourth coordinate."""
@@ -152,7 +159,8 @@ class Immediate:
         """A call between glBegin and glEnd that is no attribute is kept in its place."""
         assert self.block is not None
         self.extras = True
-        self.block.extras.append((len(self.positions) // 3, extra))
+        self.block.extras[len(self.positions) // 3] = extra
+        self.positions.extend((0.0, 0.0, 0.0))
 
     def take(self) -> Run:
         """What was recorded since the last time, as arrays; the recorder is empty then."""

@@ -10,11 +10,24 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from typing import Protocol, runtime_checkable
 
 from domeshim.driver import Driver
 
 Part = int | Callable[[], object]
 """The name of a GL list, or a call to make."""
+
+
+@runtime_checkable
+class Mesh(Protocol):
+    """A part that has GL lists of its own."""
+
+    def __call__(self) -> None:
+        """Draw it."""
+
+    def names(self) -> list[int]:
+        """The GL lists that it has made."""
+
 
 _COMPILE = 0x1300
 _DEEPEST = 64
@@ -34,6 +47,8 @@ class Building:
     parts: list[Part] = field(default_factory=list)
     used: bool = False
     """The open part holds something."""
+    meshes: int = 0
+    """How many meshes are kept as parts of their own."""
 
 
 class DisplayLists:
@@ -52,16 +67,31 @@ class DisplayLists:
 
     def keep(self, call: Callable[[], object]) -> None:
         """A call that must run when the list does: close the open part, keep it, open the next."""
+        self.keep_mesh(lambda: call)
+
+    def keep_mesh(self, make: Callable[[], Callable[[], object]]) -> None:
+        """A mesh that chooses at each call how it is drawn; make may compile lists of its own for it."""
         building = self.building
         assert building is not None
         self._driver.glEndList()
         self._drop_unused(building)
+        building.parts += [make(), self._free_name()]
+        building.used = False
+        self._driver.glNewList(building.parts[-1], _COMPILE)
+
+    def compile(self, draw: Callable[[], object]) -> int:
+        """A GL list of what draw() draws, under a free name."""
+        name = self._free_name()
+        self._driver.glNewList(name, _COMPILE)
+        draw()
+        self._driver.glEndList()
+        return name
+
+    def _free_name(self) -> int:
         self._next += 1
         while self._driver.glIsList(self._next):  # glGenLists gives names above the highest in use
             self._next += 1
-        building.parts += [call, self._next]
-        building.used = False
-        self._driver.glNewList(self._next, _COMPILE)
+        return self._next
 
     def end(self) -> Building:
         """The program's glEndList has closed the open part."""
@@ -96,8 +126,10 @@ class DisplayLists:
         """Delete the further parts of these lists; those of their own names the program deletes."""
         for name in [n for n in self._lists if first <= n < first + count]:
             for part in self._lists.pop(name):
-                if isinstance(part, int) and part != name:
-                    self._driver.glDeleteLists(part, 1)
+                own = part.names() if isinstance(part, Mesh) else [part] if isinstance(part, int) else []
+                for list_name in own:
+                    if list_name != name:
+                        self._driver.glDeleteLists(list_name, 1)
 
     def _drop_unused(self, building: Building) -> None:
         last = building.parts[-1]
