@@ -1,4 +1,4 @@
-"""Programs that open their window with pygame or glfw: the session hears of their windows and pictures.
+"""Programs that open their window with pygame, glfw or Qt: the session hears of their windows and pictures.
 
 Under a command that gives the windows itself (capture), the program's GL window is one of the command's, and
 the toolkit, on its own driver for no display, keeps the events.
@@ -12,11 +12,14 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from domeshim.intercept.toolkits.glfw import GlfwToolkit
     from domeshim.intercept.toolkits.pygame import PygameToolkit
+    from domeshim.intercept.toolkits.qt import QtToolkit
     from domeshim.session import Session
 
 _PYGAME = ("pygame.display", "pygame.event", "pygame.time")
+_QT_BINDINGS = ("PySide6", "PyQt6", "PyQt5", "PySide2")
+_QT_MODULES = ("QtCore", "QtGui", "QtWidgets", "QtOpenGL", "QtOpenGLWidgets")
 
-WATCHED = (*_PYGAME, "glfw")
+WATCHED = (*_PYGAME, "glfw", *(f"{binding}.{part}" for binding in _QT_BINDINGS for part in _QT_MODULES))
 """The modules of toolkits in which some names are led to ours."""
 
 
@@ -27,6 +30,7 @@ class Toolkits:
         self._session = session
         self._pygame: PygameToolkit | None = None
         self._glfw: GlfwToolkit | None = None
+        self._qt: dict[str, QtToolkit] = {}
 
     def replacements(self, name: str, module: ModuleType) -> dict[str, Any]:
         """What stands in for which names of this module; nothing where neither dome nor command needs it."""
@@ -35,7 +39,10 @@ class Toolkits:
             return {}
         if name in _PYGAME:
             return self._the_pygame().replacements(name, module)
-        return self._the_glfw(module).replacements()
+        if name == "glfw":
+            return self._the_glfw(module).replacements()
+        binding, _, part = name.partition(".")
+        return self._the_qt(binding).replacements(part, module)
 
     def _the_pygame(self) -> PygameToolkit:
         if self._pygame is None:
@@ -50,3 +57,10 @@ class Toolkits:
 
             self._glfw = GlfwToolkit(self._session, module)
         return self._glfw
+
+    def _the_qt(self, binding: str) -> QtToolkit:
+        if binding not in self._qt:
+            from domeshim.intercept.toolkits.qt import QtToolkit  # noqa: PLC0415 - as above
+
+            self._qt[binding] = QtToolkit(self._session, binding)
+        return self._qt[binding]

@@ -23,14 +23,14 @@ class VirtualTimers:
     """Functions to be called at moments of the clock, once or again and again."""
 
     def __init__(self, clock: Clock) -> None:
-        self._clock = clock
+        self.clock = clock
         self._timers: dict[int, _Timer] = {}
         self._made = 0
 
     def start(self, seconds: float, call: Callable[[], object], *, repeats: bool = True) -> int:
         """Call the function in so many seconds, and then every so many; returns the timer's number."""
         self._made += 1
-        self._timers[self._made] = _Timer(self._clock.now() + seconds, max(seconds, SHORTEST), call, repeats)
+        self._timers[self._made] = _Timer(self.clock.now() + seconds, max(seconds, SHORTEST), call, repeats)
         return self._made
 
     def stop(self, number: int) -> None:
@@ -43,11 +43,11 @@ class VirtualTimers:
 
     def remaining(self, number: int) -> float:
         """Seconds until the timer fires; 0 where it is late."""
-        return max(self._timers[number].due - self._clock.now(), 0.0)
+        return max(self._timers[number].due - self.clock.now(), 0.0)
 
     def fire(self) -> bool:
         """Call what is due, each once, the longest due first; whether there was any."""
-        now = self._clock.now()
+        now = self.clock.now()
         due = sorted((timer.due, number) for number, timer in self._timers.items() if timer.due <= now + 1e-9)
         for _, number in due:
             timer = self._timers.get(number)
@@ -63,5 +63,5 @@ class VirtualTimers:
     def go_to_next(self) -> bool:
         """Let the clock go on to the next timer; False where there is none."""
         if self._timers:
-            self._clock.advance_to(min(timer.due for timer in self._timers.values()))
+            self.clock.advance_to(min(timer.due for timer in self._timers.values()))
         return bool(self._timers)

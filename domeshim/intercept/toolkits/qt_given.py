@@ -1,0 +1,208 @@
+"""Qt without a display: its GL widgets and windows as plain ones, which draw in windows of the session's."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from domeshim.errors import ScreenError
+from domeshim.intercept.toolkits.qt_surface import Surface
+from domeshim.intercept.toolkits.qt_time import Pacer
+
+if TYPE_CHECKING:
+    from domeshim.intercept.toolkits.qt import QtToolkit
+
+_FUNCTIONS = "Qt's own GL functions cannot draw without a display; only PyOpenGL's calls can be captured"
+
+
+class GivenWindows:
+    """Makes the classes that stand in for Qt's, and keeps their surfaces at one pace."""
+
+    def __init__(self, toolkit: QtToolkit) -> None:
+        self.toolkit = toolkit
+        self.pacer = Pacer(toolkit)
+
+    def make(self, name: str, original: type) -> type:
+        """A class that serves as QOpenGLWidget, QOpenGLWindow or QGLWidget."""
+        from domeshim.intercept.toolkits.qt import under_the_name_of  # noqa: PLC0415 - which imports this
+
+        if name == "QOpenGLWindow":
+            return under_the_name_of(original, _window_class(self, original))
+        return under_the_name_of(original, _widget_class(self, original))
+
+    def adopt(self, widget: Any) -> Surface:
+        """A widget was made: it has a surface from now on."""
+        from domeshim.intercept.toolkits.qt import draws_by_qt  # noqa: PLC0415 - which imports this
+
+        if draws_by_qt(widget):
+            raise ScreenError(_FUNCTIONS)
+        surface = Surface(self.toolkit, widget)
+        self.pacer.surfaces.append(surface)
+        self.pacer.begin()
+        return surface
+
+
+class _GlCalls:
+    """What QOpenGLWidget and QOpenGLWindow have in common for a program."""
+
+    surface: Surface
+
+    def initializeGL(self) -> None:
+        pass
+
+    def resizeGL(self, width: int, height: int) -> None:
+        pass
+
+    def paintGL(self) -> None:
+        pass
+
+    def update(self, *part: Any) -> None:  # noqa: ARG002 - Qt's signature; a part is the whole here
+        self.surface.asked = True
+
+    def makeCurrent(self) -> None:
+        self.surface.make_current()
+
+    def doneCurrent(self) -> None:
+        pass
+
+    def isValid(self) -> bool:
+        return True
+
+    def defaultFramebufferObject(self) -> int:
+        return 0
+
+    def format(self) -> Any:
+        return self.surface.format
+
+    def setFormat(self, surface_format: Any) -> None:
+        self.surface.format = surface_format
+
+    def grabFramebuffer(self) -> Any:
+        return self.surface.grab()
+
+    grabFrameBuffer = grabFramebuffer
+
+
+def _context_class(core: Any) -> type:
+    """What context() gives: it can be asked, and cannot draw."""
+    signal = getattr(core, "Signal", None) or core.pyqtSignal
+
+    class Context(core.QObject):  # type: ignore[misc]
+        aboutToBeDestroyed = signal()
+        surface_format: Any = None
+
+        def format(self) -> Any:
+            return self.surface_format
+
+        def isValid(self) -> bool:
+            return True
+
+        def isOpenGLES(self) -> bool:
+            return False
+
+        def functions(self, *_: Any) -> Any:
+            raise ScreenError(_FUNCTIONS)
+
+        extraFunctions = versionFunctions = functions
+
+    return Context
+
+
+def _widget_class(windows: GivenWindows, original: type) -> type:
+    core = windows.toolkit.part("QtCore")
+    widget: Any = windows.toolkit.part("QtWidgets").QWidget
+    signal = getattr(core, "Signal", None) or core.pyqtSignal
+    context_class = _context_class(core)
+
+    class Widget(_GlCalls, widget):  # type: ignore[misc]
+        aboutToCompose, frameSwapped, aboutToResize, resized = signal(), signal(), signal(), signal()
+
+        def __init__(self, *args: Any, **named: Any) -> None:
+            super().__init__(*(arg for arg in args if _is_widgets(arg, widget, core)), **named)
+            self.surface = windows.adopt(self)
+
+        def paintEvent(self, event: Any) -> None:  # noqa: ARG002 - Qt's signature
+            if self.surface.painting:
+                self.surface.draw()
+                self.frameSwapped.emit()
+
+        def paint_now(self) -> None:
+            super().repaint()
+
+        def repaint(self, *part: Any) -> None:  # noqa: ARG002 - Qt's signature
+            if self.surface.visible():
+                self.surface.paint()
+
+        def initPainter(self, painter: Any) -> None:
+            self.surface.say_of_painter()
+            super().initPainter(painter)
+
+        def context(self) -> Any:
+            if self.surface.context is None:
+                self.surface.context = context_class()
+                self.surface.context.surface_format = self.surface.format
+            return self.surface.context
+
+        def updateGL(self) -> None:
+            self.surface.asked = True
+
+        def swapBuffers(self) -> None:
+            self.surface.finish()
+
+    _lend_names(Widget, original)
+    return Widget
+
+
+def _window_class(windows: GivenWindows, original: type) -> type:
+    toolkit = windows.toolkit
+    core, gui = toolkit.part("QtCore"), toolkit.part("QtGui")
+    signal = getattr(core, "Signal", None) or core.pyqtSignal
+    context_class = _context_class(core)
+
+    class GlWindow(_GlCalls, gui.QRasterWindow):  # type: ignore[misc,name-defined]
+        frameSwapped = signal()
+
+        def __init__(self, *args: Any, **named: Any) -> None:
+            super().__init__(*(arg for arg in args if isinstance(arg, gui.QWindow)), **named)
+            self.surface = windows.adopt(self)
+
+        def paintEvent(self, event: Any) -> None:  # noqa: ARG002 - Qt's signature
+            if self.surface.painting:
+                self.surface.draw()
+                self.frameSwapped.emit()
+
+        def paint_now(self) -> None:
+            self.paintEvent(None)
+
+        def fix_size(self, width: int, height: int) -> None:
+            super().resize(width, height)
+
+        def resize(self, *size: Any) -> None:
+            if toolkit.session.window_size is None:
+                super().resize(*size)
+
+        def context(self) -> Any:
+            if self.surface.context is None:
+                self.surface.context = context_class()
+                self.surface.context.surface_format = self.surface.format
+            return self.surface.context
+
+    _lend_names(GlWindow, original)
+    return GlWindow
+
+
+def _is_widgets(argument: Any, widget: type, core: Any) -> bool:
+    """A QWidget takes this argument: its parent, or window flags; formats and share widgets are GL's."""
+    return argument is None or isinstance(argument, (widget, core.Qt.WindowType))
+
+
+def _lend_names(ours: type, original: type) -> None:
+    """Constants and enumerations that a program looks up on Qt's own class."""
+    for name in (
+        "UpdateBehavior",
+        "NoPartialUpdate",
+        "PartialUpdate",
+        "PartialUpdateBlit",
+        "PartialUpdateBlend",
+    ):
+        if hasattr(original, name):
+            setattr(ours, name, getattr(original, name))
