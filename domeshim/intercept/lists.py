@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -82,7 +82,8 @@ def call_lists(dome: Dome, original: Call) -> Call:
             context.dress()
             return original(*args)
         base = context.driver.integer(_LIST_BASE)
-        for offset in _offsets(args[-1]):
+        names = args if len(args) == 1 else (args[2], int(args[1]), int(args[0]))
+        for offset in _offsets(*names):
             _run(context, lists, base + offset)
         return None
 
@@ -110,7 +111,20 @@ def _run(context: DomeContext, lists: DisplayLists, name: int) -> None:
                 part()
 
 
-def _offsets(names: Any) -> Iterator[int]:
+_BYTES = {0x1407: 2, 0x1408: 3, 0x1409: 4}
+"""GL_2_BYTES, GL_3_BYTES, GL_4_BYTES: how many bytes, the highest first, make one name."""
+
+
+def _offsets(names: Any, kind: int | None = None, count: int | None = None) -> list[int]:
+    """The names that a glCallLists gives, above the list base.
+
+    kind, count: GL's type, and how many names, where the program gives them.
+    """
     if isinstance(names, str):
         names = names.encode("latin-1")
-    yield from (int(n) for n in (names if isinstance(names, bytes) else np.asarray(names).ravel()))
+    values = np.frombuffer(names, np.uint8) if isinstance(names, bytes) else np.asarray(names).ravel()
+    if kind in _BYTES:
+        size = _BYTES[kind]
+        groups = values.view(np.uint8)[: size * (len(values) // size)].reshape(-1, size).astype(int)
+        values = groups @ (256 ** np.arange(size)[::-1])
+    return [int(np.floor(value)) for value in values[:count]]
