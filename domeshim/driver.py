@@ -93,6 +93,8 @@ _SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     **{f"glUniform{n}iv": (None, (_INT, _INT, POINTER(c_int))) for n in range(1, 5)},
     **{f"glUniformMatrix{n}fv": (None, (_INT, _INT, c_ubyte, POINTER(c_float))) for n in range(2, 5)},
     "glGenBuffers": (None, (_INT, POINTER(c_uint))),
+    "glGetBufferSubData": (None, (_ENUM, c_ssize_t, c_ssize_t, _POINTER)),
+    "glGetPointerv": (None, (_ENUM, POINTER(c_void_p))),
     "glBindBuffer": (None, (_ENUM, _UINT)),
     "glBufferData": (None, (_ENUM, c_ssize_t, _POINTER, _ENUM)),
 }

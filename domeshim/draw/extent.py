@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 
-
 @dataclass(frozen=True)
 class Extent:
     """A sphere around a mesh and its longest edge, in the mesh's own units."""

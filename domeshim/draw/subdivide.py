@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from contextlib import AbstractContextManager
 from itertools import groupby
 from operator import itemgetter
 from typing import TYPE_CHECKING, Protocol
@@ -21,34 +20,49 @@ _POINTS, _PATCHES = 0x0000, 0x000E
 _POLYGON_MODE, _POINT, _LINE, _FILL, _CULL_FACE = 0x0B40, 0x1B00, 0x1B01, 0x1B02, 0x0B44
 
 
-class Uploader(Protocol):
-    """What can put a run's arrays into GL."""
+class Drawer(Protocol):
+    """What can draw a run's arrays."""
 
-    def uploaded(self, run: Run) -> AbstractContextManager[None]:
-        """Within it, GL's arrays are the run's."""
+    def draw_all(self, mode: int, run: Run) -> None:
+        """Draw all of a run's vertices by one mode."""
 
 
 def has_long_edges(run: Run, context: DomeContext) -> bool:
     """Some edge of the run is too long to be drawn in one piece."""
+    extent = extent_of(run)
+    return extent is not None and context.must_subdivide(extent)
+
+
+def extent_of(run: Run) -> Extent | None:
+    """How large the run is; None where it has no edges, or shows only some of them."""
     primitives = [indices for kind, indices in _joined(_primitives(run.blocks, _FILL)) if kind != "points"]
-    if not primitives:
-        return False
-    longest = max(longest_edge(run.positions, indices) for indices in primitives)
-    return context.must_subdivide(Extent.of(run.positions, longest))
+    if not primitives or "edge" in run.attributes:
+        return None
+    return Extent.of(run.positions, max(longest_edge(run.positions, indices) for indices in primitives))
 
 
-def subdivide(run: Run, context: DomeContext, uploader: Uploader) -> bool:
+def subdivide(run: Run, context: DomeContext, drawer: Drawer) -> bool:
     """Draw the run in patches; False where they could not show what the program asked for."""
     polygon_mode = _shown_polygon_mode(context)
     if polygon_mode is None or "edge" in run.attributes:
         return False  # which edges of a polygon show is lost in its triangles
-    for kind, indices in _joined(_primitives(run.blocks, polygon_mode)):
+    for kind, mode, piece in patches(run, polygon_mode):
         context.dress(None if kind == "points" else kind)
-        chosen = indices.ravel()
-        expanded = Run(run.positions[chosen], {n: values[chosen] for n, values in run.attributes.items()}, (), ())
-        with uploader.uploaded(expanded):
-            context.driver.glDrawArrays(_POINTS if kind == "points" else _PATCHES, 0, len(chosen))
+        drawer.draw_all(mode, piece)
     return True
+
+
+def patches(run: Run, polygon_mode: int = _FILL) -> Iterator[tuple[Kind, int, Run]]:
+    """The run's pieces of one kind, each with the mode to draw all of its vertices by."""
+    for kind, indices in _joined(_primitives(run.blocks, polygon_mode)):
+        chosen = indices.ravel()
+        attributes = {name: values[chosen] for name, values in run.attributes.items()}
+        yield kind, _POINTS if kind == "points" else _PATCHES, Run(run.positions[chosen], attributes, (), ())
+
+
+def filled(context: DomeContext) -> bool:
+    """Polygons are drawn filled now."""
+    return _shown_polygon_mode(context) == _FILL
 
 
 def _shown_polygon_mode(context: DomeContext) -> int | None:

@@ -61,8 +61,8 @@ class Submitter:
         long = not compiling and (few or has_long_edges(run, context))
         if not (long and subdivide(run, context, self)):
             context.dress()
-            self._draw_arrays(run)
-        self._make_current(run)
+            self.draw_whole(run)
+        self.make_current(run)
 
     def replay(self, recorder: Immediate) -> None:
         """Make the recorded calls one by one."""
@@ -73,10 +73,11 @@ class Submitter:
 
     def draw(self, run: Run) -> None:
         """Draw a run from arrays."""
-        self._draw_arrays(run)
-        self._make_current(run)
+        self.draw_whole(run)
+        self.make_current(run)
 
-    def _make_current(self, run: Run) -> None:
+    def make_current(self, run: Run) -> None:
+        """Set each attribute to what the run set it to last."""
         for name, value in run.last:
             self._setters[name](*value)
 
@@ -84,15 +85,12 @@ class Submitter:
     def _as_given(recorder: Immediate, *, compiling: bool) -> bool:
         if len(recorder.positions) <= 3 * _FEW or recorder.extras:
             return True
-        if compiling:
-            first = 3 * recorder.blocks[0].first if recorder.blocks else -1
-            return any(events.places[0] > first for _, events in recorder.used)
-        return False
+        return compiling and recorder.sets_late
 
     # As arrays.
 
     @contextmanager
-    def uploaded(self, run: Run) -> Iterator[None]:
+    def _uploaded(self, run: Run) -> Iterator[None]:
         """Within it, GL's arrays are the run's; after it, the program's own again."""
         gl = self._driver
         program_object, program_buffer = gl.integer(_VERTEX_ARRAY_BINDING), gl.integer(_ARRAY_BUFFER_BINDING)
@@ -104,9 +102,15 @@ class Submitter:
             gl.glBindVertexArray(program_object)
             gl.glBindBuffer(_ARRAY_BUFFER, program_buffer)
 
-    def _draw_arrays(self, run: Run) -> None:
+    def draw_all(self, mode: int, run: Run) -> None:
+        """Draw all of a run's vertices by one mode."""
+        with self._uploaded(run):
+            self._driver.glDrawArrays(mode, 0, len(run.positions))
+
+    def draw_whole(self, run: Run) -> None:
+        """Draw the run's blocks as they are."""
         gl = self._driver
-        with self.uploaded(run):
+        with self._uploaded(run):
             for mode, firsts, counts in _draws(run.blocks):
                 if len(firsts) == 1:
                     gl.glDrawArrays(mode, firsts[0], counts[0])

@@ -6,11 +6,17 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
+import numpy as np
+from numpy.typing import NDArray
+
+from domeshim.draw.listed import ListedMesh
 from domeshim.draw.materials import material_run
 from domeshim.draw.rim import Rim
+from domeshim.draw.subdivide import has_long_edges, subdivide
 from domeshim.draw.submit import Submitter
 from domeshim.driver import Driver
-from domeshim.record.immediate import Immediate
+from domeshim.record.arrays import ArrayReader
+from domeshim.record.immediate import Immediate, Run
 from domeshim.record.lists import Building, DisplayLists
 from domeshim.state.context import DomeContext
 from domeshim.window.frame import Frame
@@ -37,6 +43,10 @@ def inside_block(context: DomeContext) -> Iterator[None]:
             checker.onEnd()
 
 
+_MESHES_OF_A_LIST = 64
+"""A list of more pieces keeps the rest as GL's own, for each piece costs its own decision."""
+
+
 class WindowDome:
     """All that the dome keeps for one window."""
 
@@ -46,6 +56,7 @@ class WindowDome:
         self.context = DomeContext(session.options, Frame(window.size, program_size), driver)
         self.lists = DisplayLists(driver)
         self.submitter = Submitter(driver)
+        self.arrays = ArrayReader(driver)
         self.rim = Rim(driver)
 
 
@@ -114,8 +125,54 @@ class Dome:
             current.context.dress()
             with inside_block(current.context):
                 current.submitter.submit(recorder, current.context)
+        elif self.building is not None and self._keeps(self.building):
+            self.keep_mesh(recorder.take())
         else:
             current.submitter.submit(recorder, current.context, compiling=self.building is not None)
+
+    def _keeps(self, building: Building) -> bool:
+        """What was recorded for a display list becomes a mesh of its own there."""
+        recorder, current = self.recorder, self._current
+        assert current is not None
+        return (
+            bool(recorder.blocks)
+            and not recorder.sets_late
+            and building.meshes < _MESHES_OF_A_LIST
+            and current.context.may_subdivide
+        )
+
+    def keep_mesh(self, run: Run) -> None:
+        """Put a run into the display list that is being built, to be drawn as each call's view needs."""
+        current, building = self._current, self.building
+        assert current is not None
+        assert building is not None
+        building.meshes += 1
+        current.lists.keep_mesh(lambda: ListedMesh(run, current.context, current.submitter, current.lists))
+
+    def draw_arrays(self, mode: int, indices: NDArray[np.integer] | range) -> bool:
+        """Draw from the program's vertex arrays where that needs more than GL's own draw; False where not."""
+        current = self._current
+        if current is None:
+            return False
+        run = current.arrays.run(mode, indices, current.context.scene.texture_units)
+        if run is None:
+            return False
+        if self.building is not None:
+            if self.building.meshes >= _MESHES_OF_A_LIST:
+                return False
+            self.keep_mesh(run)
+            return True
+        return has_long_edges(run, current.context) and subdivide(run, current.context, current.submitter)
+
+    def read_elements(self, count: int, kind: int, indices: object) -> NDArray[np.integer]:
+        """glDrawElements' indices, wherever they lie."""
+        assert self._current is not None
+        return self._current.arrays.elements(count, kind, indices)
+
+    def buffers_changed(self) -> None:
+        """The program has written to a buffer or deleted one."""
+        if self._current is not None:
+            self._current.arrays.buffers_changed()
 
     def _flush_materials(self, current: WindowDome) -> None:
         """Draw a run in which materials change inside primitives; in a display list, when it is called."""

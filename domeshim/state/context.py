@@ -172,9 +172,14 @@ class DomeContext:
             if patch is not None:
                 self.driver.glPatchParameteri(_PATCH_VERTICES, 2 if patch == "lines" else 3)
 
+    @property
+    def may_subdivide(self) -> bool:
+        """What is drawn now could be subdivided."""
+        return not self._bypasses and self.own.current is None and self._can_subdivide
+
     def must_subdivide(self, extent: Extent) -> bool:
         """Some edge of a mesh may break the tolerance if it is drawn as one straight piece."""
-        if self.compiling or self._bypasses or self.own.current is not None or not self._can_subdivide:
+        if self.compiling or not self.may_subdivide:
             return False
         if self._stale:
             self.undress()
