@@ -1,0 +1,48 @@
+"""One scene in every toolkit: captured, and on a display, the picture is GLUT's."""
+
+from __future__ import annotations
+
+import shutil
+from importlib.util import find_spec
+
+import numpy as np
+import pytest
+
+from tests.intercept.toolkits import program_runs as runs
+
+
+def qt(source: str, binding: str) -> object:
+    missing = pytest.mark.skipif(find_spec(binding) is None, reason=f"{binding} is not installed (group qt)")
+    kind = "widget" if source is runs.QT_WIDGET else "window"
+    return pytest.param(source.replace("BINDING", binding), marks=missing, id=f"{binding} {kind}")
+
+
+PROGRAMS = [
+    pytest.param(
+        runs.PYGAME,
+        id="pygame",
+        marks=pytest.mark.skipif(find_spec("pygame") is None, reason="pygame is not installed"),
+    ),
+    pytest.param(runs.GLFW, id="glfw"),
+    *(qt(source, binding) for source in (runs.QT_WIDGET, runs.QT_WINDOW) for binding in ("PySide6", "PyQt6")),
+]
+
+
+@pytest.mark.parametrize("mode", ["monitor", "dome"])
+@pytest.mark.parametrize("source", PROGRAMS)
+def test_a_capture_is_glut_s(source, mode, tmp_path, captured_by_glut):
+    result = runs.capture(tmp_path, source, "--mode", mode)
+    assert result.returncode == 0, result.stderr
+    assert "domeshim:" not in result.stderr
+    assert (runs.picture(tmp_path) == captured_by_glut[mode]).all()
+
+
+@pytest.mark.skipif(not shutil.which("xvfb-run"), reason="needs xvfb-run")
+@pytest.mark.parametrize("source", PROGRAMS)
+def test_on_a_display_the_toolkits_own_window_shows_the_dome(source, tmp_path, seen_by_glut):
+    seen, stderr = runs.photograph(tmp_path, source)
+    assert "domeshim:" not in stderr
+    if "could not connect" in stderr or "Could not load the Qt platform plugin" in stderr:
+        pytest.skip("Qt's plugin for X11 lacks libraries here (Debian: libxcb-cursor0)")
+    # Qt's windows are not smoothed, GLUT's are: edges may differ, and nothing else.
+    assert (np.abs(seen - seen_by_glut) > 8).any(axis=2).mean() < 0.01
