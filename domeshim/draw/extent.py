@@ -40,25 +40,24 @@ class Extent:
         """No edge subtends more than this angle, radians; pi where nothing better can be said.
 
         to_eye: 16 numbers, column-major: the mesh's own space to eye space. All points are at least
-        d = distance - radius away, so an edge of length l subtends at most 2 atan(l / 2 d).
+        d = distance - radius away, so an edge of length l subtends at most 2 atan(l / 2 d). How much the
+        matrix lengthens a vector M is bounded by sqrt of the largest row sum of |M^T M|.
         """
-        m = to_eye
-        if m[3] or m[7] or m[11] or not m[15]:
+        ax, ay, az, aw, bx, by, bz, bw, cx, cy, cz, cw, tx, ty, tz, tw = to_eye
+        if aw or bw or cw or not tw:
             return math.pi
-        x, y, z = self.centre
-        distance = math.dist(
-            (0, 0, 0), [m[i] * x + m[4 + i] * y + m[8 + i] * z + m[12 + i] for i in range(3)]
+        ab, bc, ca = (
+            abs(ax * bx + ay * by + az * bz),
+            abs(bx * cx + by * cy + bz * cz),
+            abs(cx * ax + cy * ay + cz * az),
         )
-        scale = _largest_scale(m)
+        aa, bb, cc = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, cx * cx + cy * cy + cz * cz
+        scale = math.sqrt(max(aa + ab + ca, bb + ab + bc, cc + bc + ca))
+        x, y, z = self.centre
+        distance = math.hypot(
+            ax * x + bx * y + cx * z + tx, ay * x + by * y + cy * z + ty, az * x + bz * y + cz * z + tz
+        )
         nearest = distance - scale * self.radius
         if not nearest > 0:
             return math.pi
         return 2 * math.atan(scale * self.longest / (2 * nearest))
-
-
-def _largest_scale(m: Sequence[float]) -> float:
-    """An upper bound of how much the matrix lengthens a vector: sqrt of the largest row sum of |M^T M|."""
-    a, b, c = m[0:3], m[4:7], m[8:11]
-    ab, bc, ca = (abs(p[0] * q[0] + p[1] * q[1] + p[2] * q[2]) for p, q in ((a, b), (b, c), (c, a)))
-    aa, bb, cc = (p[0] * p[0] + p[1] * p[1] + p[2] * p[2] for p in (a, b, c))
-    return math.sqrt(max(aa + ab + ca, bb + ab + bc, cc + bc + ca))

@@ -16,7 +16,9 @@ def material_run(run: Run) -> tuple[Run, Face, bool]:
 
     It does not where the two faces are given unlike materials; the front's is taken for both then.
     """
-    sides = [side for side in ("front", "back") if any(name.startswith(side + " ") for name in run.attributes)]
+    sides = [
+        side for side in ("front", "back") if any(name.startswith(side + " ") for name in run.attributes)
+    ]
     side = sides[0]
     unset = np.full((len(run.positions), 4), np.nan, np.float32)
     units = [f"texture{unit}" for unit in MATERIAL_UNITS.values()]
@@ -26,7 +28,9 @@ def material_run(run: Run) -> tuple[Run, Face, bool]:
         return replace(run, attributes=attributes), "front" if side == "front" else "back", True
     alike = all(
         np.array_equal(
-            run.attributes.get(f"front {part}", unset), run.attributes.get(f"back {part}", unset), equal_nan=True
+            run.attributes.get(f"front {part}", unset),
+            run.attributes.get(f"back {part}", unset),
+            equal_nan=True,
         )
         for part in MATERIAL_PARTS
     )

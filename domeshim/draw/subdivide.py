@@ -57,7 +57,11 @@ def patches(run: Run, polygon_mode: int = _FILL) -> Iterator[tuple[Kind, int, Ru
     for kind, indices in _joined(_primitives(run.blocks, polygon_mode)):
         chosen = indices.ravel()
         attributes = {name: values[chosen] for name, values in run.attributes.items()}
-        yield kind, _POINTS if kind == "points" else _PATCHES, Run(run.positions[chosen], attributes, (), ())
+        yield (
+            kind,
+            _POINTS if kind == "points" else _PATCHES,
+            Run(run.positions[chosen], attributes, (), constant=run.constant),
+        )
 
 
 def filled(context: DomeContext) -> bool:

@@ -94,6 +94,8 @@ class Submitter:
         """Within it, GL's arrays are the run's; after it, the program's own again."""
         gl = self._driver
         program_object, program_buffer = gl.integer(_VERTEX_ARRAY_BINDING), gl.integer(_ARRAY_BUFFER_BINDING)
+        for name, value in run.constant:
+            self._setters[name](*value)
         self._bind_own()
         self._upload(run)
         try:

@@ -20,7 +20,11 @@ def draw_arrays(dome: Dome, original: Call) -> Call:
         if context is None:
             return original(mode, first, count)
         dome.drawing()
-        if context.may_subdivide and mode != _POINTS and dome.draw_arrays(int(mode), range(first, first + count)):
+        if (
+            context.may_subdivide
+            and mode != _POINTS
+            and dome.draw_arrays(int(mode), range(first, first + count))
+        ):
             return None
         context.dress()
         return original(mode, first, count)

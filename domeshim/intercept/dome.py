@@ -114,8 +114,6 @@ class Dome:
         if current is None:
             recorder.clear()
             return
-        if self.building is not None:
-            self.building.used = True
         if recorder.blocks:
             self._session.drawing()
             if recorder.materials:
@@ -128,6 +126,8 @@ class Dome:
         elif self.building is not None and self._keeps(self.building):
             self.keep_mesh(recorder.take())
         else:
+            if self.building is not None:
+                self.building.used = True
             current.submitter.submit(recorder, current.context, compiling=self.building is not None)
 
     def _keeps(self, building: Building) -> bool:

@@ -124,13 +124,14 @@ def after_recorded(dome: Dome, name: str, call: Call) -> Call:
     """The call, once GL has seen what was recorded before it."""
     recorder, pending = dome.recorder, dome.recorder.pending()
     within = recorded.within(dome, name, call)
+    listed = name != "glEndList"
 
     def after(*args: Any, **named: Any) -> Any:
         if pending():
             if recorder.block is not None:
                 return within(*args, **named)
             dome.flush()
-        if dome.building is not None:
+        if listed and dome.building is not None:
             dome.building.used = True
         return call(*args, **named)
 

@@ -102,13 +102,11 @@ def delete_lists(dome: Dome, original: Call) -> Call:
 
 
 def _run(context: DomeContext, lists: DisplayLists, name: int) -> None:
-    with lists.one_deeper() as too_deep:
-        for part in () if too_deep else lists.parts(name):
-            if isinstance(part, int):
-                context.dress()
-                context.driver.glCallList(part)
-            else:
-                part()
+    def call_own(part: int) -> None:
+        context.dress()
+        context.driver.glCallList(part)
+
+    lists.run(name, call_own)
 
 
 _BYTES = {0x1407: 2, 0x1408: 3, 0x1409: 4}

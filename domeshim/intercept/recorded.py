@@ -88,6 +88,8 @@ def _material(dome: Dome, name: str, call: Call) -> Call:
         if recorder.on_border:
             recorder.end()
             dome.flush()
+            if dome.building is not None:
+                dome.building.used = True
             call(face, pname, *params)
             recorder.begin(block.mode)
             return

@@ -58,8 +58,10 @@ class Run:
     positions: NDArray[np.float32]
     attributes: dict[str, NDArray[np.float32]]
     blocks: tuple[Block, ...]
-    last: tuple[tuple[str, tuple[float, ...]], ...]
+    last: tuple[tuple[str, tuple[float, ...]], ...] = ()
     """What each attribute was set to last."""
+    constant: tuple[tuple[str, tuple[float, ...]], ...] = ()
+    """Attributes that are the same for every vertex, and not among the arrays."""
 
 
 def stretches(blocks: tuple[Block, ...]) -> Iterator[tuple[int, int, int]]:
@@ -170,11 +172,14 @@ class Immediate:
             w = np.ones((count, 1), np.float32)
             w[list(self._w), 0] = list(self._w.values())
             positions = np.hstack([positions, w])
+        first = 3 * self.blocks[0].first if self.blocks else 0
+        varying = {n: events for n, events in self.used if events.places[-1] > first or " " in n}
         run = Run(
             positions,
-            {name: _spread(events, count) for name, events in self.used},
+            {name: _spread(events, count) for name, events in varying.items()},
             tuple(self.blocks),
-            tuple((name, events.last) for name, events in self.used),
+            tuple((name, events.last) for name, events in varying.items()),
+            tuple((name, events.last) for name, events in self.used if name not in varying),
         )
         self.clear()
         return run
@@ -311,9 +316,8 @@ def _floats(values: list[float]) -> NDArray[np.float32]:
 def _spread(events: Events, count: int) -> NDArray[np.float32]:
     """Each vertex's value: that of the last event before it, nan before the first."""
     values = _floats(events.values).reshape(-1, events.size)
-    starts = np.array(events.places) // 3
-    lengths = np.diff(starts, append=count)
-    spread = np.repeat(values, lengths, axis=0)
+    starts = np.array([*events.places, 3 * count]) // 3
+    spread = np.repeat(values, starts[1:] - starts[:-1], axis=0)
     if starts[0] == 0:
         return spread
     return np.concatenate([np.full((starts[0], events.size), np.nan, np.float32), spread])

@@ -7,8 +7,7 @@ lists are a single part, under the program's own name.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Protocol, runtime_checkable
 
@@ -104,18 +103,23 @@ class DisplayLists:
             self._lists[building.name] = building.parts
         return building
 
-    @contextmanager
-    def one_deeper(self) -> Iterator[bool]:
-        """A list is being called; tells whether lists have called each other too often, as GL would find."""
+    def run(self, name: int, call_own: Callable[[int], object]) -> None:
+        """Call a list; call_own calls one of GL's own. Lists that call each other too often do nothing, as in GL."""
+        parts = self._lists.get(name)
+        if parts is None:
+            call_own(name)
+            return
+        if self._depth >= _DEEPEST:
+            return
         self._depth += 1
         try:
-            yield self._depth > _DEEPEST
+            for part in parts:
+                if isinstance(part, int):
+                    call_own(part)
+                else:
+                    part()
         finally:
             self._depth -= 1
-
-    def parts(self, name: int) -> list[Part]:
-        """What to do, in order, when the list is called."""
-        return self._lists.get(name) or [name]
 
     @property
     def all_plain(self) -> bool:
@@ -133,6 +137,7 @@ class DisplayLists:
 
     def _drop_unused(self, building: Building) -> None:
         last = building.parts[-1]
-        if not building.used and isinstance(last, int) and last != building.name:
+        if not building.used and isinstance(last, int):
             building.parts.pop()
-            self._driver.glDeleteLists(last, 1)
+            if last != building.name:
+                self._driver.glDeleteLists(last, 1)

@@ -191,7 +191,7 @@ class DomeContext:
         angle = extent.largest_angle(self._to_eye(placement))
         return angle * self._detail > 1
 
-    @property
+    @cached_property
     def _can_subdivide(self) -> bool:
         if self._options.method not in ("auto", "tessellate"):
             return False
