@@ -102,7 +102,10 @@ class DomeContext:
 
     def program_used(self, name: int) -> None:
         """The program has bound a GLSL program of its own, or 0."""
+        before = self.own.source
         self.own.use(name)
+        if self.own.source is not before:
+            self._projection_stale = True
         self._bypass_own(name)
 
     def program_linked(self, name: int, original: Callable[[], object]) -> None:
@@ -110,6 +113,7 @@ class DomeContext:
         self.undress()
         self.own.link(name, original)
         if self.driver.integer(_CURRENT_PROGRAM) == name:
+            self._projection_stale = True
             self._bypass_own(name)
 
     def uniform_sent(self) -> None:
@@ -131,7 +135,6 @@ class DomeContext:
         if units != self.scene.read_units:
             self.scene.read_units = units
             self.scene.stale.add("textures")
-        self._projection_stale = True
         if "program" in self._bypasses:
             why = self.own.complaints.get(name, "not linked from GLSL that could be seen")
             self.say_once(f"the program's own GLSL is not bent and draws as on the monitor: {why}")
@@ -179,17 +182,20 @@ class DomeContext:
 
     def must_subdivide(self, extent: Extent) -> bool:
         """Some edge of a mesh may break the tolerance if it is drawn as one straight piece."""
-        if self.compiling or not self.may_subdivide:
+        if self.compiling or self._bypasses or not self._can_subdivide:
             return False
         if self._stale:
             self.undress()
         placement = self._see_placement()
         if placement.hud and self._options.hud != "panel":
             return False
-        if self._options.method == "tessellate":
+        own = self.own.current
+        if own is None and self._options.method == "tessellate":
             return True
-        angle = extent.largest_angle(self._to_eye(placement))
-        return angle * self._detail > 1
+        too_long = extent.largest_angle(self._to_eye(placement)) * self._detail > 1
+        if too_long and own is not None and not own.own_matrices:
+            self.say_once("long edges drawn by the program's own GLSL stay straight: it is not subdivided")
+        return too_long and own is None
 
     @cached_property
     def _can_subdivide(self) -> bool:

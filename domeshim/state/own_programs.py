@@ -33,6 +33,7 @@ class OwnPrograms:
         self._landing = Landing(lens.name, tilted=options.tilt != 0, wide=options.fov > 180)
         self._programs: dict[int, OwnProgram] = {}
         self._stages: dict[int, FragmentStage] = {}
+        self._last: tuple[Placement, Matrix, tuple[float, ...]] | None = None
         self.complaints: dict[int, str] = {}
         """Why a linked program is not on the dome, by its name."""
         self.current: OwnProgram | None = None
@@ -60,6 +61,11 @@ class OwnPrograms:
         self.current = self._programs.get(name)
         self.fragments = self._stages.get(name)
 
+    @property
+    def source(self) -> OwnProgram | None:
+        """The program whose uniforms have the projection; None where GL's own matrix is it."""
+        return self.current if self.current is not None and self.current.own_matrices else None
+
     def named(self, name: int) -> OwnProgram | None:
         """The program of this name if it ends on the dome by itself."""
         return self._programs.get(name)
@@ -81,8 +87,8 @@ class OwnPrograms:
 
     def matrix_sent(self, location: int) -> Matrix | None:
         """A uniform of the bound program has got a matrix: the perspective in it, if that is news."""
-        own = self.current
-        if own is None or not own.own_matrices:
+        own = self.source
+        if own is None:
             return None
         values = (c_float * 16)()
         self._driver.glGetUniformfv(own.name, location, values)
@@ -95,8 +101,8 @@ class OwnPrograms:
 
     def projection(self, of_gl: Matrix) -> Matrix:
         """The projection that the bound program draws by; of_gl: GL's own."""
-        own = self.current
-        if own is None or not own.own_matrices:
+        own = self.source
+        if own is None:
             return of_gl
         return own.perspective if own.perspective is not None else np.eye(4)
 
@@ -110,11 +116,8 @@ class OwnPrograms:
         own = self.current
         assert own is not None
         panel = placement.place == "panel"
-        from_clip = np.array(placement.view).reshape(4, 4).T
-        if not panel:
-            from_clip = from_clip @ np.linalg.pinv(projection)
         own.set("domeMode", (2.0 if panel else 1.0,))
-        own.set("domeFromClip", tuple(from_clip.T.ravel()))
+        own.set("domeFromClip", placement.view if panel else self._from_clip(placement, projection))
         own.set("domeLens", self._lens.uniform)
         own.set("domeDepth", placement.depth)
         own.set("domePlanes", (float(bool(planes)),))
@@ -124,6 +127,13 @@ class OwnPrograms:
             own.set("domeRim", (-float(np.cos(self._fov / 2)),))
         wanted = CLIP_DISTANCES["panel" if panel else "dome"] if own.cut else ()
         return tuple(GL_CLIP_PLANE0 + i for i in wanted if i not in planes)
+
+    def _from_clip(self, placement: Placement, projection: Matrix) -> tuple[float, ...]:
+        """Clip coordinates to the dome's eye space, column-major; worked out once for each placement."""
+        if self._last is None or self._last[0] is not placement or self._last[1] is not projection:
+            from_clip = np.array(placement.view).reshape(4, 4).T @ np.linalg.pinv(projection)
+            self._last = placement, projection, tuple(from_clip.T.ravel().tolist())
+        return self._last[2]
 
     def leave_straight(self, planes: tuple[int, ...]) -> None:
         """Let the bound program, if any is on the dome, draw as on the monitor."""

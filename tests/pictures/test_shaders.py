@@ -1,4 +1,4 @@
-"""A program's own GLSL beside stock GL under a narrow lens, and beside the fixed pipeline all over the dome."""
+"""A program's own GLSL beside stock GL under a narrow lens, and beside the fixed pipeline under wide ones."""
 
 from __future__ import annotations
 
@@ -421,6 +421,25 @@ def test_the_names_of_the_extensions_reach_the_dome(beside: Beside) -> None:
     monitor, dome = beside.monitor(core), beside.through_dome(extensions)
     assert monitor.picture.std() > 10
     beside.assert_equal(monitor.picture, dome.picture, name="extensions")
+
+
+def test_edges_that_stay_straight_are_said_once(beside: Beside, capsys: pytest.CaptureFixture[str]) -> None:
+    def own(gl: GL) -> None:
+        wide(gl)
+        gl.glUseProgram(both(gl, COLOURED, COLOUR))
+        for size in (0.01, 5.0, 6.0):
+            gl.glBegin(gl.GL_TRIANGLES)
+            for x, y in ((-1, -1), (1, -1), (0, 1)):
+                gl.glVertex3f(size * x, size * y, -2)
+            gl.glEnd()
+            gl.glFlush()
+            if size < 1:
+                assert capsys.readouterr().err == ""
+
+    beside.through_dome(own, fov=180)
+    said = capsys.readouterr().err.splitlines()
+    assert len(said) == 1
+    assert "stay straight" in said[0]
 
 
 def test_what_cannot_be_bent_is_said_once(beside: Beside, capsys: pytest.CaptureFixture[str]) -> None:
