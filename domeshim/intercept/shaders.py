@@ -10,7 +10,7 @@ from domeshim.shading.exchange import OwnProgram
 
 Call = Callable[..., Any]
 
-_ACTIVE_UNIFORMS = 0x8B86
+_ACTIVE_UNIFORMS, _VERTEX_PROGRAM = 0x8B86, 0x8620
 
 
 def link_program(dome: Dome, original: Call) -> Call:
@@ -36,6 +36,26 @@ def use_program(dome: Dome, original: Call) -> Call:
         return result
 
     return call
+
+
+def noting_assembly(make: Callable[[Dome, Call], Call], *, on: bool) -> Callable[[Dome, Call], Call]:
+    """glEnable (on) and glDisable, which switch vertex programs in assembly language too."""
+
+    def making(dome: Dome, original: Call) -> Call:
+        switch = make(dome, original)
+
+        def call(capability: Any, *args: Any) -> Any:
+            if capability == _VERTEX_PROGRAM and dome.context is not None:
+                dome.context.bypass("assembly", on)
+                if on:
+                    dome.context.say_once(
+                        "a vertex program in assembly language is not bent and draws as on the monitor"
+                    )
+            return switch(capability, *args)
+
+        return call
+
+    return making
 
 
 def delete_program(dome: Dome, original: Call) -> Call:

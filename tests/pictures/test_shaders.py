@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import OpenGL.GL.ARB.multitexture
 import OpenGL.GL.ARB.shader_objects
+import OpenGL.GL.ARB.vertex_program
 import pytest
 
 from tests.pictures.beside import GL, Beside, checks, looking, sphere
@@ -440,6 +441,32 @@ def test_edges_that_stay_straight_are_said_once(beside: Beside, capsys: pytest.C
     said = capsys.readouterr().err.splitlines()
     assert len(said) == 1
     assert "stay straight" in said[0]
+
+
+def test_vertex_programs_in_assembly_draw_as_on_the_monitor(
+    beside: Beside, capsys: pytest.CaptureFixture[str]
+) -> None:
+    arb = {**vars(OpenGL.GL.ARB.vertex_program)}
+    text = b"""!!ARBvp1.0
+        ADD result.position, vertex.position, {0.1, 0.1, 0.0, 0.0};
+        MOV result.color, {1.0, 0.5, 0.2, 1.0};
+        END"""
+    enables: list[bool] = []
+
+    def scene(gl: GL) -> None:
+        looking(gl)
+        load = arb["glProgramStringARB"]
+        target, form = arb["GL_VERTEX_PROGRAM_ARB"], arb["GL_PROGRAM_FORMAT_ASCII_ARB"]
+        arb["glBindProgramARB"](target, 1)
+        load(target, form, len(text), text)
+        gl.glEnable(target)
+        gl.glRectf(-0.5, -0.5, 0.3, 0.3)
+        gl.glDisable(target)
+        enables.append(bool(gl.glIsEnabled(target)))
+
+    beside.equal(scene)
+    assert enables == [False, False]
+    assert "assembly" in capsys.readouterr().err
 
 
 def test_what_cannot_be_bent_is_said_once(beside: Beside, capsys: pytest.CaptureFixture[str]) -> None:
