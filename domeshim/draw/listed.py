@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from domeshim.draw.extent import Extent
-from domeshim.draw.subdivide import extent_of, filled, patches
+from domeshim.draw.subdivide import extent_of, filled, patches, subdivide
 
 if TYPE_CHECKING:
     from domeshim.draw.patches import Kind
@@ -31,14 +31,21 @@ class ListedMesh:
     def __call__(self) -> None:
         """Draw it, and leave its last attributes current."""
         context = self._context
-        if self._extent is not None and context.must_subdivide(self._extent) and filled(context):
+        subdivision = context.subdivision(self._extent) if self._extent is not None else None
+        if subdivision == "split" or (subdivision and not filled(context)):
+            if not subdivide(self._run, context, self._submitter, subdivision):
+                self._draw_whole()
+        elif subdivision:
             for kind, name in self._in_patches():
                 context.dress(None if kind == "points" else kind)
                 context.driver.glCallList(name)
         else:
-            context.dress()
-            context.driver.glCallList(self._whole)
+            self._draw_whole()
         self._submitter.make_current(self._run)
+
+    def _draw_whole(self) -> None:
+        self._context.dress()
+        self._context.driver.glCallList(self._whole)
 
     def names(self) -> list[int]:
         """The GL lists that it has made, to be deleted with it."""

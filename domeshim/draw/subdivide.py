@@ -11,10 +11,11 @@ import numpy as np
 
 from domeshim.draw.extent import Extent
 from domeshim.draw.patches import Indices, Kind, corners, kind_of, longest_edge, outlines
+from domeshim.draw.split import split_wide
 from domeshim.record.immediate import Block, Run, stretches
 
 if TYPE_CHECKING:
-    from domeshim.state.context import DomeContext
+    from domeshim.state.context import DomeContext, Subdivision
 
 _POINTS, _PATCHES = 0x0000, 0x000E
 _POLYGON_MODE, _POINT, _LINE, _FILL, _CULL_FACE = 0x0B40, 0x1B00, 0x1B01, 0x1B02, 0x0B44
@@ -27,10 +28,10 @@ class Drawer(Protocol):
         """Draw all of a run's vertices by one mode."""
 
 
-def has_long_edges(run: Run, context: DomeContext) -> bool:
-    """Some edge of the run is too long to be drawn in one piece."""
+def subdivision_of(run: Run, context: DomeContext) -> Subdivision:
+    """What the run needs to keep the tolerance."""
     extent = extent_of(run)
-    return extent is not None and context.must_subdivide(extent)
+    return context.subdivision(extent) if extent is not None else None
 
 
 def extent_of(run: Run) -> Extent | None:
@@ -41,12 +42,15 @@ def extent_of(run: Run) -> Extent | None:
     return Extent.of(run.positions, max(longest_edge(run.positions, indices) for indices in primitives))
 
 
-def subdivide(run: Run, context: DomeContext, drawer: Drawer) -> bool:
+def subdivide(run: Run, context: DomeContext, drawer: Drawer, subdivision: Subdivision) -> bool:
     """Draw the run in patches; False where they could not show what the program asked for."""
     polygon_mode = _shown_polygon_mode(context)
     if polygon_mode is None or "edge" in run.attributes:
         return False  # which edges of a polygon show is lost in its triangles
-    for kind, mode, piece in patches(run, polygon_mode):
+    for kind, mode, whole in patches(run, polygon_mode):
+        piece = whole
+        if subdivision == "split" and kind != "points":
+            piece = split_wide(whole, 2 if kind == "lines" else 3, context.to_eye, context.widest)
         context.dress(None if kind == "points" else kind)
         drawer.draw_all(mode, piece)
     return True

@@ -15,13 +15,13 @@ from numpy.typing import NDArray
 from domeshim.draw.current import current_setters, current_value
 from domeshim.draw.extent import Extent
 from domeshim.draw.replay import replay
-from domeshim.draw.subdivide import has_long_edges, subdivide
+from domeshim.draw.subdivide import subdivide, subdivision_of
 from domeshim.driver import Driver
 from domeshim.record.immediate import Block, Immediate, Run, stretches
 from domeshim.shading.recipe import MATERIAL_UNITS
 
 if TYPE_CHECKING:
-    from domeshim.state.context import DomeContext
+    from domeshim.state.context import DomeContext, Subdivision
 
 _FEW = 24
 """Up to so many vertices GL's own glVertex costs less than arrays."""
@@ -52,14 +52,16 @@ class Submitter:
         compiling: into a display list, where an attribute's current value is not known yet.
         """
         few = self._as_given(recorder, compiling=compiling)
-        if few and not _too_long(recorder, context):
+        subdivision = _subdivision_of_few(recorder, context) if few else None
+        if few and subdivision is None:
             if recorder.blocks:
                 context.dress()
             self.replay(recorder)
             return
         run = recorder.take()
-        long = not compiling and (few or has_long_edges(run, context))
-        if not (long and subdivide(run, context, self)):
+        if not few and not compiling:
+            subdivision = subdivision_of(run, context)
+        if subdivision is None or not subdivide(run, context, self, subdivision):
             context.dress()
             self.draw_whole(run)
         self.make_current(run)
@@ -187,11 +189,11 @@ class Submitter:
         return values.astype(np.uint8) if name == "edge" else values
 
 
-def _too_long(recorder: Immediate, context: DomeContext) -> bool:
-    """A few vertices whose edges must be subdivided after all."""
+def _subdivision_of_few(recorder: Immediate, context: DomeContext) -> Subdivision:
+    """What a few vertices need to keep the tolerance."""
     if not recorder.blocks or recorder.extras:
-        return False
-    return context.must_subdivide(Extent.of_few(recorder.positions))
+        return None
+    return context.subdivision(Extent.of_few(recorder.positions))
 
 
 def _draws(blocks: tuple[Block, ...]) -> Iterator[tuple[int, list[int], list[int]]]:

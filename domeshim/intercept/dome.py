@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from domeshim.draw.listed import ListedMesh
 from domeshim.draw.materials import material_run
 from domeshim.draw.rim import Rim
-from domeshim.draw.subdivide import has_long_edges, subdivide
+from domeshim.draw.subdivide import subdivide, subdivision_of
 from domeshim.draw.submit import Submitter
 from domeshim.driver import Driver
 from domeshim.record.arrays import ArrayReader
@@ -162,7 +162,8 @@ class Dome:
                 return False
             self.keep_mesh(run)
             return True
-        return has_long_edges(run, current.context) and subdivide(run, current.context, current.submitter)
+        subdivision = subdivision_of(run, current.context)
+        return subdivision is not None and subdivide(run, current.context, current.submitter, subdivision)
 
     def read_elements(self, count: int, kind: int, indices: object) -> NDArray[np.integer]:
         """glDrawElements' indices, wherever they lie."""

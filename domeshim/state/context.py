@@ -10,6 +10,7 @@ import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Literal
 
 import numpy as np
 
@@ -32,7 +33,14 @@ _VIEWPORT, _MATRIX_MODE, _MODELVIEW, _PROJECTION, _TEXTURE = 0x0BA2, 0x0BA0, 0x1
 _MODELVIEW_MATRIX, _PROJECTION_MATRIX, _CURRENT_PROGRAM = 0x0BA6, 0x0BA7, 0x8B8D
 _PATCH_VERTICES, _SHADE_MODEL, _FLAT = 0x8E72, 0x0B54, 0x1D00
 _SCISSOR_TEST, _SCISSOR_BOX = 0x0C11, 0x0C10
+_MOST_PIECES = 60
+"""A little under the 64 pieces that every driver has."""
+_WIDEST = np.pi / 3
+"""Within this angle a triangle's inside follows its edges."""
 _VERTEX_PROGRAM_TWO_SIDE, _PROGRAM_POINT_SIZE, _RASTERIZER_DISCARD = 0x8643, 0x8642, 0x8C89
+
+
+Subdivision = Literal["pieces", "split"] | None
 
 
 @dataclass(frozen=True)
@@ -180,22 +188,37 @@ class DomeContext:
         """What is drawn now could be subdivided."""
         return not self._bypasses and self.own.current is None and self._can_subdivide
 
-    def must_subdivide(self, extent: Extent) -> bool:
-        """Some edge of a mesh may break the tolerance if it is drawn as one straight piece."""
+    def subdivision(self, extent: Extent) -> Subdivision:
+        """What a mesh needs to keep the tolerance: nothing, pieces of its edges, or to be split first."""
         if self.compiling or self._bypasses or not self._can_subdivide:
-            return False
+            return None
         if self._stale:
             self.undress()
         placement = self._see_placement()
         if placement.hud and self._options.hud != "panel":
-            return False
+            return None
         own = self.own.current
-        if own is None and self._options.method == "tessellate":
-            return True
-        too_long = extent.largest_angle(self._to_eye(placement)) * self._detail > 1
-        if too_long and own is not None and not own.own_matrices:
-            self.say_once("long edges drawn by the program's own GLSL stay straight: it is not subdivided")
-        return too_long and own is None
+        angle = extent.largest_angle(self._to_eye(placement))
+        too_long = angle * self._detail > 1
+        if own is not None:
+            if too_long and not own.own_matrices:
+                self.say_once(
+                    "long edges drawn by the program's own GLSL stay straight: it is not subdivided"
+                )
+            return None
+        if angle > self.widest:
+            return "split"
+        return "pieces" if too_long or self._options.method == "tessellate" else None
+
+    @property
+    def widest(self) -> float:
+        """The angle up to which the GPU subdivides an edge well, radians."""
+        return min(_WIDEST, _MOST_PIECES / self._detail)
+
+    @property
+    def to_eye(self) -> Matrix:
+        """(4, 4): the space of the vertices that are drawn now -> the dome's eye space."""
+        return np.array(self._to_eye(self._see_placement())).reshape(4, 4).T
 
     @cached_property
     def _can_subdivide(self) -> bool:

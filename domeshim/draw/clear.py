@@ -1,0 +1,94 @@
+"""A glClear inside a scissor rectangle: the same part of the dome, drawn over in one colour and depth."""
+
+from __future__ import annotations
+
+from ctypes import c_float
+
+import numpy as np
+
+from domeshim.draw.rim import IN_THE_WAY
+from domeshim.driver import Driver
+from domeshim.lens.models import Lens
+from domeshim.shading.compose import Source
+from domeshim.shading.program import Program
+from domeshim.shading.snippets import snippet
+from domeshim.state.perspective import Matrix
+from domeshim.state.scissor import Edges
+from domeshim.window.frame import Frame
+
+COLOR, DEPTH, STENCIL = 0x4000, 0x0100, 0x0400
+_ALL_ATTRIBUTES, _FRONT_AND_BACK, _FILL, _TRIANGLES, _ALWAYS, _REPLACE = (
+    0xFFFFFFFF,
+    0x0408,
+    0x1B02,
+    4,
+    0x0207,
+    0x1E01,
+)
+_DEPTH_TEST, _STENCIL_TEST, _CURRENT_PROGRAM = 0x0B71, 0x0B90, 0x8B8D
+_COLOR_CLEAR_VALUE, _DEPTH_CLEAR_VALUE, _STENCIL_CLEAR_VALUE = 0x0C22, 0x0B73, 0x0B91
+_CELLS = 64 * 128
+
+
+class PartClear:
+    """Clears parts of one context's dome."""
+
+    def __init__(self, driver: Driver, lens: Lens, fov: float, tilt: float) -> None:
+        """lens, fov, tilt: the dome's, degrees."""
+        self._driver = driver
+        self._lens = lens
+        self._half = float(np.radians(fov / 2))
+        c, s = np.cos(np.radians(tilt)), np.sin(np.radians(tilt))
+        self._untilted = np.array([[1, 0, 0], [0, c, -s], [0, s, c]])
+        self._program: Program | None = None
+
+    def clear(self, mask: int, frame: Frame, camera: Matrix, edges: Edges) -> None:
+        """Clear the buffers of a glClear mask to the program's own clear values.
+
+        camera: (3, 3), a direction's x, y and w in the main view; edges: in that view, only inner ones cut.
+        """
+        gl = self._driver
+        bound = gl.integer(_CURRENT_PROGRAM)
+        gl.glPushAttrib(_ALL_ATTRIBUTES)
+        for capability in IN_THE_WAY:
+            gl.glDisable(capability)
+        gl.glPolygonMode(_FRONT_AND_BACK, _FILL)
+        gl.glDepthRange(0.0, 1.0)
+        gl.glViewport(*frame.square)
+        self._choose_buffers(mask)
+        self._set_up(camera, edges)
+        gl.glDrawArrays(_TRIANGLES, 0, 6 * _CELLS)
+        gl.glUseProgram(bound)
+        gl.glPopAttrib()
+
+    def _choose_buffers(self, mask: int) -> None:
+        gl = self._driver
+        if not mask & COLOR:
+            gl.glColorMask(0, 0, 0, 0)
+        if mask & DEPTH:
+            gl.glEnable(_DEPTH_TEST)
+            gl.glDepthFunc(_ALWAYS)
+        if mask & STENCIL:
+            gl.glEnable(_STENCIL_TEST)
+            gl.glStencilFunc(_ALWAYS, gl.integer(_STENCIL_CLEAR_VALUE), 0xFFFFFFFF)
+            gl.glStencilOp(_REPLACE, _REPLACE, _REPLACE)
+
+    def _set_up(self, camera: Matrix, edges: Edges) -> None:
+        gl = self._driver
+        if self._program is None:
+            lens = (f"lens/{self._lens.name}", snippet(f"lens/{self._lens.name}"))
+            vertex = Source.join([lens, ("frame/clear.vert", snippet("frame/clear.vert"))])
+            fragment = Source.join([("frame/clear.frag", snippet("frame/clear.frag"))])
+            self._program = Program(gl, vertex, fragment)
+        seen = np.zeros((4, 4))
+        seen[[0, 1, 3], :3] = camera @ self._untilted
+        color = (c_float * 4)()
+        gl.glGetFloatv(_COLOR_CLEAR_VALUE, color)
+        gl.glUseProgram(self._program.name)
+        self._program.set("domeLens", self._lens.uniform)
+        self._program.set("domeHalf", (self._half,))
+        self._program.set("domeDepth", (2 * gl.doubles(_DEPTH_CLEAR_VALUE, 1)[0] - 1,))
+        self._program.set("domeSeen", tuple(seen.T.ravel()))
+        self._program.set("domeEdges", edges.bounds)
+        self._program.set("domeSides", tuple(float(i in edges.inner) for i in range(4)))
+        self._program.set("domeColor", tuple(color))
