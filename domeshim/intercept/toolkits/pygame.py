@@ -216,9 +216,10 @@ class PygameToolkit(ToolkitHost):
             self._timer_of[kind] = self._timers.start(millis / 1000.0, post)
 
     def _turn_timers(self) -> None:
-        """Post what is due; where no picture came since the last look, let time go on to the next timer."""
+        """Post what is due; where neither an event nor a picture came, let time go on to the next timer."""
         frames = self.session.frames
-        if not self._timers.fire() and frames == self._last_frame and self._timers.go_to_next():
+        idle = not self._timers.fire() and frames == self._last_frame and not self._event["peek"]()
+        if idle and self._timers.go_to_next():
             self._timers.fire()
         self._last_frame = frames
 

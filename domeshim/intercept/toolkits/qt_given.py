@@ -120,10 +120,21 @@ def _widget_class(windows: GivenWindows, original: type) -> type:
             super().__init__(*(arg for arg in args if _is_widgets(arg, widget, core)), **named)
             self.surface = windows.adopt(self)
 
+        def event(self, event: Any) -> bool:
+            if event.type() != core.QEvent.Type.Paint:
+                return bool(super().event(event))
+            surface = self.surface
+            if surface.painting:  # and not at a moment of Qt's own choosing
+                surface.in_event = True
+                try:
+                    return bool(super().event(event))
+                finally:
+                    surface.in_event = False
+            return True
+
         def paintEvent(self, event: Any) -> None:  # noqa: ARG002 - Qt's signature
-            if self.surface.painting:
-                self.surface.draw()
-                self.frameSwapped.emit()
+            self.surface.draw()
+            self.frameSwapped.emit()
 
         def paint_now(self) -> None:
             super().repaint()
@@ -133,7 +144,8 @@ def _widget_class(windows: GivenWindows, original: type) -> type:
                 self.surface.paint()
 
         def initPainter(self, painter: Any) -> None:
-            self.surface.say_of_painter()
+            if self.surface.in_event:  # Qt makes some itself, for the background
+                self.surface.say_of_painter()
             super().initPainter(painter)
 
         def context(self) -> Any:

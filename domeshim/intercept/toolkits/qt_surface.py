@@ -25,6 +25,9 @@ class Surface:
         self._initialised = False
         self._told_size: tuple[int, int] | None = None
         self.painting = False
+        self.in_event = False
+        """The program's paintEvent runs."""
+        self._drawing = False
         gui = self._toolkit.part("QtGui")
         self.format: Any = gui.QSurfaceFormat.defaultFormat() if hasattr(gui, "QSurfaceFormat") else None
         self.context: Any = None
@@ -47,14 +50,15 @@ class Surface:
             return False
 
     def paint(self) -> None:
-        """Have Qt paint the widget now, and with it the program its picture."""
+        """Have Qt paint the widget now, and the program its picture; not before Qt has a place for it."""
         widget = self._widget()
-        if widget is None:
+        if widget is None or not _is_exposed(widget):
             return
-        self.asked = False
-        self.painting = True
+        self.asked, self._drawing, self.painting = False, False, True
         try:
             widget.paint_now()
+            if self._drawing:  # a paintEvent of the program's own, between makeCurrent and its end
+                self.finish()
         finally:
             self.painting = False
 
@@ -63,28 +67,32 @@ class Surface:
         widget = self._widget()
         if widget is None:
             return
+        window = self.make_current()
+        if not self._initialised:
+            self._initialised = True
+            widget.initializeGL()
+        if window.size != self._told_size:
+            self._told_size = window.size
+            self._set_viewport(window.size)
+            widget.resizeGL(*window.size)
+            self.make_current()
+        self._drawing = False  # a picture that fails is none
+        widget.paintGL()
+        self.finish()
+
+    def finish(self) -> None:
+        """The picture is finished; if it was the last one wanted, the program's event loop ends."""
+        self._drawing = False
+        if self._window is None:
+            return
         try:
-            window = self.make_current()
-            if not self._initialised:
-                self._initialised = True
-                widget.initializeGL()
-            if window.size != self._told_size:
-                self._told_size = window.size
-                self._set_viewport(window.size)
-                widget.resizeGL(*window.size)
-                self.make_current()
-            widget.paintGL()
-            self.finish()
+            self._toolkit.finished(self._window)
         except ProgramFinished:
             self._toolkit.part("QtCore").QCoreApplication.exit(0)
 
-    def finish(self) -> None:
-        """The picture is finished."""
-        if self._window is not None:
-            self._toolkit.finished(self._window)
-
     def make_current(self) -> Window:
         """Direct GL to the widget's window, opened on first use and as large as the widget is."""
+        self._drawing = True
         session = self._toolkit.session
         size = session.window_size or self._widget_size()
         if self._window is None:
@@ -132,3 +140,8 @@ class Surface:
     def say_of_painter(self) -> None:
         """Tell once that QPainter's part is missing."""
         self._toolkit.say_once(_QPAINTER)
+
+
+def _is_exposed(widget: Any) -> bool:
+    window = widget if hasattr(widget, "isExposed") else widget.window().windowHandle()
+    return window is not None and bool(window.isExposed())

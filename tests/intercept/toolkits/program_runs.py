@@ -189,12 +189,12 @@ def picture(folder: Path) -> np.ndarray:
 
 
 def photograph(folder: Path, source: str) -> tuple[np.ndarray, str]:
-    """Run the program, standing still, with DOME=1 on a display of 300x300 of its own; what one sees, and stderr."""
+    """Run the program, standing still, with DOME=1 on a display of its own; what it shows, and stderr."""
     write(folder, source, step=0.0)
     (folder / "grab.py").write_text(GRAB)
     python = sys.executable
     start = (
-        f"import _domeshim_gate as g; g.arm(); import runpy; runpy.run_path('prog.py', run_name='__main__')"
+        "import _domeshim_gate as g; g.arm(); import runpy; runpy.run_path('prog.py', run_name='__main__')"
     )
     script = f'{python} -c "{start}" & pid=$!; {python} grab.py picture.png; kill $pid; wait $pid 2>/dev/null'
     done = subprocess.run(

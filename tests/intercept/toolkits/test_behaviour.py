@@ -1,0 +1,270 @@
+"""What programs of the other toolkits notice, and what they are told."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import sys
+from importlib.util import find_spec
+
+import numpy as np
+import pytest
+
+from tests.intercept.toolkits import program_runs as runs
+
+needs_pygame = pytest.mark.skipif(find_spec("pygame") is None, reason="pygame is not installed")
+needs_qt = pytest.mark.skipif(find_spec("PySide6") is None, reason="PySide6 is not installed (group qt)")
+needs_xvfb = pytest.mark.skipif(not shutil.which("xvfb-run"), reason="needs xvfb-run")
+
+PYGAME_EVENTS = """
+import pygame
+from pygame.locals import *
+pygame.init()
+screen = pygame.display.set_mode((300, 100), DOUBLEBUF | OPENGL | RESIZABLE)
+import scene  # GL is imported after the window was opened
+scene.start()
+scene.shape(*screen.get_size())
+pygame.time.set_timer(USEREVENT, 20)
+while True:
+    event = pygame.event.wait()
+    if event.type == VIDEORESIZE:
+        print("resized", *event.size)
+    if event.type == USEREVENT:
+        print("tick", pygame.time.get_ticks(), pygame.mouse.get_pos())
+        scene.draw()
+        pygame.display.flip()
+"""
+
+QT_TIME = """
+import sys
+from PySide6.QtCore import QElapsedTimer, QTimer
+from PySide6.QtWidgets import QApplication
+from PySide6.QtOpenGLWidgets import QOpenGLWidget
+import scene
+class Draws:
+    def paintGL(self):
+        scene.draw()
+        print(watch.elapsed(), self.width(), self.height(), self.defaultFramebufferObject())
+class Cube(Draws, QOpenGLWidget):
+    def initializeGL(self):
+        self.context().aboutToBeDestroyed.connect(print)
+        scene.start()
+    def resizeGL(self, width, height): scene.shape(width, height)
+app = QApplication(sys.argv)
+watch = QElapsedTimer()
+watch.start()
+cube = Cube()
+cube.resize(30, 20)
+cube.show()
+def later():
+    cube.update()
+    QTimer.singleShot(50, later)
+later()
+app.exec()
+"""
+
+QT_OWN_PAINT_EVENT = """
+import sys
+from PySide6.QtGui import QPainter
+from PySide6.QtWidgets import QApplication
+from PySide6.QtOpenGLWidgets import QOpenGLWidget
+from OpenGL.GL import *
+class Flat(QOpenGLWidget):
+    number = 0
+    def paintEvent(self, event):
+        self.number += 1
+        self.makeCurrent()
+        glClearColor(self.number / 255, 0, 1, 1)
+        glClear(GL_COLOR_BUFFER_BIT)
+        painter = QPainter(self)
+        painter.drawText(10, 10, "over it")
+        painter.end()
+app = QApplication(sys.argv)
+flat = Flat()
+flat.show()
+app.exec()
+"""
+
+GLFW_CLEARS = """
+import glfw
+glfw.init()
+{}
+window = glfw.create_window(300, 300, "flat", None, None)
+glfw.make_context_current(window)
+from OpenGL.GL import *
+n = 0
+while not glfw.window_should_close(window):
+    n += 1
+    glClearColor(n / 255, 0, 1, 1)
+    glClear(GL_COLOR_BUFFER_BIT)
+    glfw.swap_buffers(window)
+    glfw.poll_events()
+"""
+
+CORE = """
+glfw.window_hint(glfw.CONTEXT_VERSION_MAJOR, 3)
+glfw.window_hint(glfw.CONTEXT_VERSION_MINOR, 3)
+glfw.window_hint(glfw.OPENGL_PROFILE, glfw.OPENGL_CORE_PROFILE)
+"""
+
+WITHOUT_PYOPENGL = """
+import moderngl, pygame
+pygame.init()
+pygame.display.set_mode((300, 300), pygame.OPENGL | pygame.DOUBLEBUF)
+context = moderngl.create_context()
+while True:
+    pygame.event.get()
+    context.clear(0, 0, 1)
+    pygame.display.flip()
+"""
+
+FLAT_PYGAME = """
+import sys
+import pygame
+pygame.init()
+screen = pygame.display.set_mode((30, 20))
+screen.fill((255, 0, 0))
+pygame.display.flip()
+pygame.display.update()
+assert screen.get_at((3, 3))[:3] == (255, 0, 0)
+assert "domeshim.intercept.dome" not in sys.modules
+pygame.quit()
+print("fine")
+"""
+
+UNINSTALL = """
+import glfw, pygame
+from pygame.display import flip
+names = [(glfw, "create_window"), (glfw, "swap_buffers"), (pygame.display, "set_mode"), (pygame.event, "get")]
+if {qt}:
+    from PySide6 import QtOpenGL, QtOpenGLWidgets
+    names += [(QtOpenGL, "QOpenGLWindow"), (QtOpenGLWidgets, "QOpenGLWidget")]
+before = [getattr(module, name) for module, name in names]
+original = [flip]  # a name of its own would be led to ours as well
+import domeshim
+domeshim.install()
+assert all(getattr(module, name) is not was for (module, name), was in zip(names, before))
+assert flip is not original[0]
+domeshim.uninstall()
+assert [getattr(module, name) for module, name in names] == before
+assert flip is original[0]
+print("restored")
+"""
+
+UNBENT = "domeshim: the program's GL has no fixed function; what it draws with it is not bent\n"
+
+
+@needs_pygame
+def test_pygame_timers_go_by_pictures_and_the_size_is_told(tmp_path, captured_by_glut):
+    result = runs.capture(tmp_path, PYGAME_EVENTS)
+    assert (result.returncode, result.stderr) == (0, "")
+    assert result.stdout == "resized 200 200\ntick 20 (0, 0)\ntick 40 (0, 0)\ntick 60 (0, 0)\n"
+    assert (runs.picture(tmp_path) == captured_by_glut["dome"]).all()
+
+
+@needs_pygame
+def test_pygame_without_gl_is_left_alone(tmp_path):
+    runs.write(tmp_path, FLAT_PYGAME)
+    variables = runs.environment(DOME="1", SDL_VIDEODRIVER="dummy", SDL_AUDIODRIVER="dummy")
+    command = [sys.executable, "-m", "domeshim", "run", "prog.py"]
+    done = subprocess.run(command, cwd=tmp_path, env=variables, capture_output=True, text=True, timeout=60)
+    assert (done.returncode, done.stdout) == (0, "fine\n"), done.stderr
+
+
+@needs_pygame
+def test_a_program_without_pyopengl_is_told_once_and_left_as_it_is(tmp_path):
+    result = runs.capture(tmp_path, WITHOUT_PYOPENGL, "--mode", "dome")
+    told = "domeshim: this program draws without PyOpenGL; only PyOpenGL's calls are bent onto the dome\n"
+    assert (result.returncode, result.stderr) == (0, told)
+    assert (runs.picture(tmp_path) == (0, 0, 255)).all()
+
+
+@pytest.mark.parametrize(("hints", "told"), [("", ""), (CORE, UNBENT)])
+def test_a_core_profile_is_told_once_and_left_as_it_is(tmp_path, hints, told):
+    result = runs.capture(tmp_path, GLFW_CLEARS.format(hints), "--mode", "dome")
+    assert (result.returncode, result.stderr) == (0, told)
+    picture = runs.picture(tmp_path)
+    assert picture[100, 100].tolist() == [3, 0, 255]
+    assert picture[2, 2].tolist() == ([3, 0, 255] if hints else [0, 0, 0])  # the rim
+
+
+@pytest.mark.parametrize("mode", ["monitor", "dome"])
+def test_a_single_buffered_glfw_window_ends_its_pictures_by_flushing(tmp_path, mode):
+    source = GLFW_CLEARS.format("glfw.window_hint(glfw.DOUBLEBUFFER, False)")
+    result = runs.capture(tmp_path, source.replace("glfw.swap_buffers(window)", "glFlush()"), "--mode", mode)
+    assert (result.returncode, result.stderr) == (0, "")
+    assert runs.picture(tmp_path)[100, 100].tolist() == [3, 0, 255]
+
+
+@needs_qt
+def test_qt_timers_go_by_pictures_and_a_mixin_may_paint(tmp_path, captured_by_glut):
+    result = runs.capture(tmp_path, QT_TIME)
+    assert result.returncode == 0, result.stderr
+    assert result.stdout == "0 200 200 0\n50 200 200 0\n100 200 200 0\n"
+    assert (runs.picture(tmp_path) == captured_by_glut["dome"]).all()
+
+
+@needs_qt
+def test_a_qt_program_may_paint_in_paint_event_and_hears_of_what_is_missing(tmp_path):
+    result = runs.capture(tmp_path, QT_OWN_PAINT_EVENT, "--mode", "monitor")
+    assert result.returncode == 0
+    assert result.stderr.count("domeshim: what QPainter draws over GL is not in this picture") == 1
+    assert (runs.picture(tmp_path) == (3, 0, 255)).all()
+
+
+@needs_pygame
+def test_uninstall_puts_every_name_back(tmp_path):
+    runs.write(tmp_path, UNINSTALL.format(qt=find_spec("PySide6") is not None))
+    command = [sys.executable, "prog.py"]
+    done = subprocess.run(
+        command, cwd=tmp_path, env=runs.environment(), capture_output=True, text=True, timeout=60
+    )
+    assert (done.returncode, done.stdout) == (0, "restored\n"), done.stderr
+
+
+RESIZED = [
+    pytest.param(
+        runs.PYGAME.replace(
+            "while True:",
+            "pygame.display.set_mode((200, 150), DOUBLEBUF | OPENGL)\nscene.draw()\npygame.display.flip()\n"
+            "pygame.display.set_mode((300, 300), DOUBLEBUF | OPENGL)\nwhile True:",
+        ),
+        marks=needs_pygame,
+        id="pygame",
+    ),
+    pytest.param(
+        runs.GLFW.replace("300, 300", "200, 150").replace(
+            "while",
+            "glfw.set_framebuffer_size_callback(window, lambda _, *size: scene.shape(*size))\n"
+            "scene.draw()\nglfw.swap_buffers(window)\nglfw.set_window_size(window, 300, 300)\nwhile",
+        ),
+        id="glfw",
+    ),
+    pytest.param(
+        runs.QT_WIDGET.replace("BINDING", "PySide6")
+        .replace("300, 300", "200, 150")
+        .replace("sys.exit", "QTimer.singleShot(100, lambda: window.resize(300, 300))\nsys.exit"),
+        marks=needs_qt,
+        id="PySide6",
+    ),
+]
+
+
+@needs_xvfb
+@pytest.mark.parametrize("source", RESIZED)
+def test_the_dome_follows_the_windows_size(source, tmp_path, seen_by_glut):
+    seen, stderr = runs.photograph(tmp_path, source)
+    assert "domeshim:" not in stderr
+    # Without a window manager SDL leaves a window that has grown where it was: the dome is looked for.
+    assert _same_dome(seen, seen_by_glut), stderr
+
+
+def _same_dome(seen: np.ndarray, wanted: np.ndarray) -> bool:
+    """Where the two overlap when the upper left corners of what is not black lie upon each other."""
+    corner = [np.nonzero(seen.any(axis=2).any(axis=axis))[0][0] for axis in (1, 0)]
+    base = [np.nonzero(wanted.any(axis=2).any(axis=axis))[0][0] for axis in (1, 0)]
+    shift = (base[0] - corner[0], base[1] - corner[1])
+    moved = np.roll(seen, shift, axis=(0, 1))
+    height, width = 300 + min(shift[0], 0), 300 + min(shift[1], 0)
+    difference = np.abs(moved[:height, :width] - wanted[:height, :width]) > 8
+    return bool(difference.any(axis=2).mean() < 0.01)
