@@ -12,7 +12,10 @@ Floats = NDArray[np.float64]
 
 
 class Lens(Protocol):
-    """An angle's radius on the disc, and back."""
+    """An angle's radius on the disc, and back; hashable, so that what follows from it is found once."""
+
+    def __hash__(self) -> int:
+        """Equal lenses have equal numbers."""
 
     @property
     def name(self) -> Literal["equidistant", "polynomial"]:

@@ -8,12 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from ctypes import byref, c_float, c_int, create_string_buffer
+from ctypes import byref, c_float, c_int, c_uint, create_string_buffer
 from typing import Any
 
 GL_BACK, GL_RGB, GL_UNSIGNED_BYTE, GL_PACK_ALIGNMENT = 0x0405, 0x1907, 0x1401, 0x0D05
 READ_BUFFER = 0x0C02
 READ_FRAMEBUFFER, READ_FRAMEBUFFER_BINDING = 0x8CA8, 0x8CAA
+DRAW_FRAMEBUFFER, DRAW_FRAMEBUFFER_BINDING = 0x8CA9, 0x8CA6
+RENDERBUFFER, RENDERBUFFER_BINDING, COLOR_ATTACHMENT0 = 0x8D41, 0x8CA7, 0x8CE0
+SAMPLES, SCISSOR_TEST, COLOR_BUFFER_BIT, GL_RGB8, GL_NEAREST = 0x80A9, 0x0C11, 0x4000, 0x8051, 0x2600
 PIXEL_PACK_BUFFER, PIXEL_PACK_BUFFER_BINDING = 0x88EB, 0x88ED
 PACK_LAYOUT = {
     0x0D00: 0,  # swap bytes
@@ -40,7 +43,7 @@ def read_pixels(width: int, height: int) -> bytes:
 
     gl = PLATFORM.GL
     pixels = create_string_buffer(3 * width * height)
-    with _plain_reading(gl):
+    with _plain_reading(gl), _resolved(gl, width, height):
         gl.glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, pixels)
     row = 3 * width
     return b"".join(pixels.raw[start : start + row] for start in range(row * (height - 1), -1, -row))
@@ -69,6 +72,39 @@ def _plain_reading(gl: Any) -> Iterator[None]:
     finally:
         for setter, name, former in reversed(restore):
             setter(name, former)
+
+
+@contextmanager
+def _resolved(gl: Any, width: int, height: int) -> Iterator[None]:
+    """Reading from a multisampled window gives the mean of each pixel's samples while this lasts.
+
+    Mesa's glReadPixels alone gives one of them.
+    """
+    if not _integer(gl, SAMPLES).value:
+        yield
+        return
+    framebuffer, colour = c_uint(), c_uint()
+    drawn_to, renderbuffer = _integer(gl, DRAW_FRAMEBUFFER_BINDING), _integer(gl, RENDERBUFFER_BINDING)
+    scissored = gl.glIsEnabled(SCISSOR_TEST)
+    gl.glGenFramebuffers(1, byref(framebuffer))
+    gl.glGenRenderbuffers(1, byref(colour))
+    gl.glBindRenderbuffer(RENDERBUFFER, colour)
+    gl.glRenderbufferStorage(RENDERBUFFER, GL_RGB8, width, height)
+    gl.glBindFramebuffer(DRAW_FRAMEBUFFER, framebuffer)
+    gl.glFramebufferRenderbuffer(DRAW_FRAMEBUFFER, COLOR_ATTACHMENT0, RENDERBUFFER, colour)
+    gl.glDisable(SCISSOR_TEST)
+    gl.glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, COLOR_BUFFER_BIT, GL_NEAREST)
+    gl.glBindFramebuffer(READ_FRAMEBUFFER, framebuffer)
+    try:
+        yield
+    finally:
+        gl.glBindFramebuffer(READ_FRAMEBUFFER, 0)
+        gl.glBindFramebuffer(DRAW_FRAMEBUFFER, drawn_to)
+        gl.glBindRenderbuffer(RENDERBUFFER, renderbuffer)
+        if scissored:
+            gl.glEnable(SCISSOR_TEST)
+        gl.glDeleteFramebuffers(1, byref(framebuffer))
+        gl.glDeleteRenderbuffers(1, byref(colour))
 
 
 def _integer(gl: Any, name: int) -> c_int:

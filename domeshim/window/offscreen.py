@@ -22,7 +22,7 @@ class OffscreenBackend(Backend):
     """Opens pixel buffers; each has a context of its own and is as large as it was asked to be."""
 
     name = "offscreen"
-    dome_samples = 0  # Mesa's software rasteriser puts a multisampled line up to a pixel beside its place
+    dome_samples = 4
 
     def __init__(self) -> None:
         """Connect to the first EGL platform that offers a desktop GL.
