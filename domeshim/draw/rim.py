@@ -9,7 +9,7 @@ from domeshim.shading.snippets import snippet
 from domeshim.window.frame import Frame
 
 _ALL_ATTRIBUTES = 0xFFFFFFFF
-_IN_THE_WAY = (
+IN_THE_WAY = (
     0x0B71,  # GL_DEPTH_TEST
     0x0B90,  # GL_STENCIL_TEST
     0x0BC0,  # GL_ALPHA_TEST
@@ -19,10 +19,15 @@ _IN_THE_WAY = (
     0x0B44,  # GL_CULL_FACE
     0x0B42,  # GL_POLYGON_STIPPLE
     0x8C89,  # GL_RASTERIZER_DISCARD
+    0x8037,  # GL_POLYGON_OFFSET_FILL
     *range(0x3000, 0x3008),  # GL_CLIP_PLANEi
 )
+"""What the dome's own draws over a picture must not be subject to."""
+
 _CURRENT_PROGRAM = 0x8B8D
-_FRONT_AND_BACK, _FILL, _TRIANGLES = 0x0408, 0x1B02, 0x0004
+_FRONT_AND_BACK, _FILL, _TRIANGLE_STRIP = 0x0408, 0x1B02, 0x0005
+_RING = 2 * (128 + 1)
+"""Vertices of the ring that glsl/frame/rim.vert.glsl makes."""
 
 
 def _source(name: str) -> Source:
@@ -42,13 +47,14 @@ class Rim:
         x, y, side, _ = frame.square
         program = gl.integer(_CURRENT_PROGRAM)
         gl.glPushAttrib(_ALL_ATTRIBUTES)
-        for capability in _IN_THE_WAY:
+        for capability in IN_THE_WAY:
             gl.glDisable(capability)
         gl.glColorMask(1, 1, 1, 1)
         gl.glPolygonMode(_FRONT_AND_BACK, _FILL)
         gl.glViewport(0, 0, *frame.size)
         gl.glUseProgram(self._program.name)
         self._program.set("domeDisc", (x + side / 2, y + side / 2, radius * side / 2))
-        gl.glDrawArrays(_TRIANGLES, 0, 3)
+        self._program.set("domeFrame", frame.size)
+        gl.glDrawArrays(_TRIANGLE_STRIP, 0, _RING)
         gl.glUseProgram(program)
         gl.glPopAttrib()

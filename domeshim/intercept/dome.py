@@ -102,6 +102,10 @@ class Dome:
         if self._current is closed:
             self.window_current(None)
 
+    def clearing(self) -> None:
+        """The program clears a buffer, and the dome does it."""
+        self._session.clearing()
+
     def drawing(self) -> None:
         """The program draws something that is not recorded."""
         self._session.drawing()

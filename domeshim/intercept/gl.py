@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from domeshim.intercept import recorded, shaders
+from domeshim.intercept import pixels, recorded, shaders
 from domeshim.intercept.arrays import draw_arrays, draw_elements, draw_range_elements, writes_buffer
 from domeshim.intercept.dome import Dome
 from domeshim.intercept.lists import call_list, call_lists, delete_lists, end_list, new_list
@@ -29,9 +29,11 @@ Call = Callable[..., Any]
 Maker = Callable[[Dome, Call], Call]
 
 _DRAWS = re.compile(
-    r"gl(Draw(Arrays|Elements|RangeElements|Pixels)\w*|MultiDraw\w+|EvalMesh[12]|Bitmap|CopyPixels"
-    r"|(Raster|Window)Pos\d?[dfis]?v?)"
+    r"gl(Draw(Arrays|Elements|RangeElements)\w*|MultiDraw\w+|EvalMesh[12])"
 )
+_AT_RASTER = re.compile(r"gl(Bitmap|DrawPixels\w*|CopyPixels)")
+_RASTER_POSITIONS = re.compile(r"glRasterPos\d?[dfis]?v?")
+_WINDOW_POSITIONS = re.compile(r"glWindowPos\d[dfis]v?")
 _LIGHTING = re.compile(r"gl(Light(|[fi]v?)|LightModel(|[fi]v?))")
 _TEXTURES = re.compile(r"glTexGen(|[dfi]v?)")
 _REST = re.compile(r"gl(Fog(|[fi]v?)|PointParameter(|[fi]v?))")
@@ -57,6 +59,7 @@ _TOUCHED = frozenset(
     )
 )
 """What the dome changes while it draws: before the program asks for one of these it is put back."""
+_SCISSOR_TEST = 0x0C11
 _CURRENT_COLOR, _RENDER, _TEXTURE0, _PROJECTION = 0x0B00, 0x1C00, 0x84C0, 0x1701
 
 
@@ -217,13 +220,17 @@ def _switch(dome: Dome, original: Call) -> Call:
     def switch(capability: int) -> Any:
         if dome.context is not None:
             dome.context.undress()
-            dome.context.scene.stale.add(GROUP_OF[capability])
+            if capability == _SCISSOR_TEST:
+                dome.context.viewport_changed()
+            else:
+                dome.context.scene.stale.add(GROUP_OF[capability])
         return original(capability)
 
     kept = kept_in_lists(lambda _dome, _original: switch)(dome, original)
 
     def call(capability: int, *args: Any) -> Any:
-        return kept(capability) if capability in GROUP_OF else original(capability, *args)
+        seen = capability in GROUP_OF or capability == _SCISSOR_TEST
+        return kept(capability) if seen else original(capability, *args)
 
     return call
 
@@ -349,7 +356,7 @@ _SPECIAL: Mapping[str, Maker] = {
     "glGetActiveUniform": shaders.active_uniform,
     "glUniformMatrix4fv": shaders.uniform_matrix,
     "glRenderMode": _render_mode,
-    "glClear": kept_in_lists(_read),
+    "glClear": kept_in_lists(pixels.clear),
 }
 _WRITES_BUFFER = re.compile(
     r"gl(Named)?(BufferData|BufferSubData|BufferStorage)\w*|gl(Unm|M)ap\w*Buffer\w*|glCopy\w*BufferSubData"
@@ -358,6 +365,9 @@ _WRITES_BUFFER = re.compile(
 _FAMILIES: tuple[tuple[re.Pattern[str], Maker], ...] = (
     (_WRITES_BUFFER, writes_buffer),
     (_DRAWS, _draw),
+    (_AT_RASTER, pixels.at_raster),
+    (_RASTER_POSITIONS, kept_in_lists(pixels.at_raster)),
+    (_WINDOW_POSITIONS, kept_in_lists(pixels.window_position)),
     (_UNIFORMS, shaders.uniform),
     (_LIGHTING, kept_in_lists(_staling("lighting"))),
     (_TEXTURES, kept_in_lists(_staling("textures"))),

@@ -75,12 +75,14 @@ def compose(recipe: Recipe) -> Source:
     draft.add("vec4 eye = gl_ModelViewMatrix * gl_Vertex;")
     _position(draft, recipe)
     add_attributes(draft, recipe)
+    _raster(draft, recipe)
     return draft.source()
 
 
 def add_attributes(draft: Draft, recipe: Recipe) -> None:
     """All that a vertex carries beside its position; needs the statement that makes eye before it."""
     _clip_planes(draft, recipe.scene)
+    _sides(draft, recipe)
     _normal(draft, recipe.scene)
     _color(draft, recipe.scene)
     for texture in recipe.scene.textures:
@@ -132,6 +134,24 @@ def _clip_planes(draft: Draft, scene: Scene) -> None:
     if scene.clip_planes:
         draft.need("clip/plane")
     draft.add(*(f"gl_ClipDistance[{i}] = abovePlane({i}, eye);" for i in scene.clip_planes))
+
+
+def _sides(draft: Draft, recipe: Recipe) -> None:
+    if not recipe.mapping.sides:
+        return
+    draft.need("clip/panel")
+    draft.add("vec4 within = insideViewport(gl_ProjectionMatrix * eye);")
+    for distance, side in zip(recipe.side_distances, recipe.mapping.sides, strict=False):
+        draft.add(f"gl_ClipDistance[{distance}] = within[{side}];")
+
+
+def _raster(draft: Draft, recipe: Recipe) -> None:
+    if recipe.mapping.raster is None:
+        return
+    distances = (*recipe.clip_distances, *recipe.scene.clip_planes)
+    cut = " || ".join(f"gl_ClipDistance[{i}] < 0.0" for i in distances)
+    condition = "true" if recipe.mapping.raster == "nowhere" else cut or "false"
+    draft.add(f"if ({condition})", "    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);")
 
 
 def _normal(draft: Draft, scene: Scene) -> None:

@@ -30,7 +30,7 @@ class Uniforms:
     def set(self, uniform: str, values: Sequence[float]) -> None:
         """Give a uniform its value; the program must be bound. Unchanged values are not sent again.
 
-        values: 1, 2 or 3 floats for a float or vector; 5 for a float[5]; 16, column-major, for a mat4.
+        values: 1 to 4 floats for a float or vector; 5 for a float[5]; 16, column-major, for a mat4.
         """
         wanted = tuple(values)
         if self._sent.get(uniform) == wanted:
@@ -47,6 +47,8 @@ class Uniforms:
                 self._driver.glUniform2fv(location, 1, data)
             case 3:
                 self._driver.glUniform3fv(location, 1, data)
+            case 4:
+                self._driver.glUniform4fv(location, 1, data)
             case 16:
                 self._driver.glUniformMatrix4fv(location, 1, 0, data)
             case count:

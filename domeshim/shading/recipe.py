@@ -78,6 +78,10 @@ class Mapping:
     tilted: bool = False
     wide: bool = False
     """A field of view over 180 degrees: what is left out is a cone, not a half space."""
+    sides: tuple[int, ...] = ()
+    """The scissor's edges that cut a view on the dome: 0 left, 1 right, 2 bottom, 3 top."""
+    raster: Literal["point", "nowhere"] | None = None
+    """For glRasterPos, which no clip distance stops: a point that is cut off, or any at all, goes out of sight."""
 
 
 @dataclass(frozen=True)
@@ -94,6 +98,17 @@ class Recipe:
     @property
     def clip_distances(self) -> tuple[int, ...]:
         """The clip distances of the mapping itself: the lowest numbers that the program leaves free."""
-        wanted = 0 if self.mapping.method == "paper" else 4 if self.mapping.place == "panel" else 1
-        free = [i for i in range(8) if i not in self.scene.clip_planes]
-        return tuple(free[:wanted])
+        return self._free[: self._wanted]
+
+    @property
+    def side_distances(self) -> tuple[int, ...]:
+        """The clip distances of the scissor's sides."""
+        return self._free[self._wanted : self._wanted + len(self.mapping.sides)]
+
+    @property
+    def _wanted(self) -> int:
+        return 0 if self.mapping.method == "paper" else 4 if self.mapping.place == "panel" else 1
+
+    @property
+    def _free(self) -> tuple[int, ...]:
+        return tuple(i for i in range(8) if i not in self.scene.clip_planes)

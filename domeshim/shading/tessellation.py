@@ -56,7 +56,6 @@ def _control(recipe: Recipe) -> Source:
 def _evaluation(recipe: Recipe) -> Source:
     draft = Draft()
     _add_place(draft, recipe)
-    draft.need("tessellate/direction")
     draft.need(f"tessellate/{_patch(recipe)}.tese")
     corners = 2 if recipe.patch == "lines" else 3
     draft.add(f"vec{corners} b = weights();", f"vec4 position = {_blend('gl_Position', corners)};")
@@ -112,7 +111,7 @@ def _varyings(recipe: Recipe) -> list[str]:
     found = [f"gl_{face}{kind}" for face in faces for kind in (["Color", "SecondaryColor"] if separate else ["Color"])]
     found += [f"gl_TexCoord[{texture.unit}]" for texture in scene.textures]
     found += ["gl_FogFragCoord"] if scene.fog else []
-    return found + [f"gl_ClipDistance[{plane}]" for plane in scene.clip_planes]
+    return found + [f"gl_ClipDistance[{i}]" for i in (*scene.clip_planes, *recipe.side_distances)]
 
 
 def _blend(varying: str, corners: int) -> str:

@@ -7,17 +7,20 @@ the monitor (DESIGN 2.1). The dome's own state is on only while draws follow eac
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
 import numpy as np
 
+from domeshim.draw.clear import PartClear
 from domeshim.draw.extent import Extent
 from domeshim.driver import Driver
 from domeshim.lens.detail import pieces_per_radian
 from domeshim.lens.models import Lens, lens_of, rim_radius
+from domeshim.lens.projection import disc_of
 from domeshim.options import Options
 from domeshim.shading.compose import compose
 from domeshim.shading.program import Program
@@ -27,6 +30,7 @@ from domeshim.state.own_programs import OwnPrograms
 from domeshim.state.perspective import Matrix
 from domeshim.state.placement import Placement, Placer
 from domeshim.state.scene import GL_CLIP_PLANE0, GL_COLOR_SUM, GROUPS, SceneState
+from domeshim.state.scissor import Edges, edges_of, in_view
 from domeshim.window.frame import Frame, Rectangle
 
 _VIEWPORT, _MATRIX_MODE, _MODELVIEW, _PROJECTION, _TEXTURE = 0x0BA2, 0x0BA0, 0x1700, 0x1701, 0x1702
@@ -50,7 +54,8 @@ class _Dressing:
     program: int
     enables: tuple[int, ...]
     viewport: Rectangle
-    scissored: bool
+    scissor: Rectangle | None
+    """The program's own, while it is off."""
 
 
 class DomeContext:
@@ -74,6 +79,9 @@ class DomeContext:
         self._matrix_mode = driver.integer(_MATRIX_MODE)
         self._viewport: Rectangle = (0, 0, *frame.program_size)
         self._placement: Placement | None = None
+        self._scissor: Rectangle | None = None
+        self._edges = Edges()
+        self._raster = False
         self._projection: Matrix = np.eye(4)
         self._dressing: _Dressing | None = None
         self._patch: Patch = None
@@ -164,21 +172,82 @@ class DomeContext:
             self._said.add(text)
             print(f"domeshim: {text}", file=sys.stderr)
 
+    # Pixels: what has a place in the program's window.
+
+    @property
+    def places_pixels(self) -> bool:
+        """A place in the program's window is another one in the frame."""
+        return not self.compiling and not self._bypasses
+
+    def window_position(self, x: float, y: float, depth: float) -> tuple[float, float, float] | None:
+        """Where a point of the program's window, and the depth there, are in the frame; None if it is hidden."""
+        if self._stale:
+            self.undress()
+        placement = self._see_placement()
+        if self.placer.has_perspective and self._options.hud == "off":
+            return None
+        if self.placer.has_perspective and self._options.hud == "flat":
+            return (*self.frame.flat((round(x), round(y), 0, 0))[:2], depth)
+        main = self.placer.through_window(self.frame)
+        direction = main.direction(x, y)
+        disc = disc_of(direction, self.lens, self._options.tilt)
+        x0, y0, side, _ = self.frame.square
+        if placement.place != "panel":
+            a, b = placement.depth
+            depth = (a + b / main.distance(depth, direction) + 1) / 2
+        return float(x0 + (disc[0] + 1) * side / 2), float(y0 + (disc[1] + 1) * side / 2), depth
+
+    @property
+    def scissor_cuts(self) -> bool:
+        """The program's scissor leaves out a part of its window; the context must be undressed."""
+        if self._projection_stale or self._dressing is None:
+            self._see_placement()
+        x, y, w, h = self._scissor or (0, 0, *self.frame.program_size)
+        return x > 0 or y > 0 or x + w < self.frame.program_size[0] or y + h < self.frame.program_size[1]
+
+    @contextmanager
+    def unscissored(self) -> Iterator[None]:
+        """Within it a scissor that leaves out nothing of the program's window does so of the frame."""
+        if self._scissor is None:
+            yield
+            return
+        self.driver.glDisable(_SCISSOR_TEST)
+        try:
+            yield
+        finally:
+            self.driver.glEnable(_SCISSOR_TEST)
+
+    def clear_part(self, mask: int) -> None:
+        """glClear what the scissor leaves of the program's window; the context must be undressed."""
+        placement = self._see_placement()
+        main = self.placer.through_window(self.frame)
+        if self._edges.empty or self._scissor is None or self._hidden(placement):
+            return
+        edges = self._edges
+        if placement.place == "panel":
+            edges = Edges(in_view(self._scissor, main.viewport), (0, 1, 2, 3))
+        self._part_clear.clear(mask, self.frame, main.camera[[0, 1, 3], :3], edges)
+
+    @cached_property
+    def _part_clear(self) -> PartClear:
+        return PartClear(self.driver, self.lens, self._options.fov, self._options.tilt)
+
     # Around the draws.
 
-    def dress(self, patch: Patch = None) -> None:
+    def dress(self, patch: Patch = None, *, raster: bool = False) -> None:
         """Make the next draws land on the dome; call before each.
 
-        patch: what the draw hands over as GL_PATCHES to be subdivided, if it does.
+        patch: what the draw hands over as GL_PATCHES to be subdivided, if it does; raster: what follows sets
+        the raster position, or draws there.
         """
         if self.compiling:
             return
         if self._bypasses:
-            self.own.leave_straight(self._planes)
+            self.own.leave_straight()
             return
-        if self._dressing is None or self._stale or patch != self._patch:
+        if self._dressing is None or self._stale or patch != self._patch or raster != self._raster:
             self.undress()
-            self._patch = patch
+            self._patch, self._raster = patch, raster
             self._put_on(self._look())
             if patch is not None:
                 self.driver.glPatchParameteri(_PATCH_VERTICES, 2 if patch == "lines" else 3)
@@ -264,16 +333,13 @@ class DomeContext:
         gl = self.driver
         for capability in dressing.enables:
             gl.glDisable(capability)
-        if dressing.scissored:
+        if dressing.scissor is not None:
+            gl.glScissor(*dressing.scissor)
             gl.glEnable(_SCISSOR_TEST)
         if dressing.viewport != self._viewport:
             gl.glViewport(*self._viewport)
         if dressing.program:
             gl.glUseProgram(self.own.fragments.name if self.own.fragments else 0)
-
-    @property
-    def _planes(self) -> tuple[int, ...]:
-        return self.scene.scene().clip_planes if self.own.current is not None else ()
 
     @property
     def _stale(self) -> bool:
@@ -302,10 +368,18 @@ class DomeContext:
     def _ask_placement(self) -> Placement:
         x, y, w, h = self.driver.integers(_VIEWPORT, 4)
         self._viewport = (x, y, w, h)
+        self._scissor = self._ask_scissor()
+        self._edges = edges_of(self._scissor, self._viewport)
         self._projection_stale = False
         modelview = self._matrix(_MODELVIEW_MATRIX) if self.placer.on_modelview else None
         self._projection = self.own.projection(self._matrix(_PROJECTION_MATRIX))
         return self.placer.place(self._projection, modelview, self._viewport, self.frame)
+
+    def _ask_scissor(self) -> Rectangle | None:
+        if not self.driver.glIsEnabled(_SCISSOR_TEST):
+            return None
+        x, y, w, h = self.driver.integers(_SCISSOR_BOX, 4)
+        return x, y, w, h
 
     def _matrix(self, name: int) -> Matrix:
         return np.array(self.driver.doubles(name, 16)).reshape(4, 4).T
@@ -318,9 +392,9 @@ class DomeContext:
         gl = self.driver
         if flat:
             enables, viewport = (), self.frame.flat(self._viewport)
-            self.own.leave_straight(scene.clip_planes)
+            self.own.leave_straight()
         elif self.own.current is not None:
-            enables = self.own.bend(placement, self._projection, scene.clip_planes)
+            enables = self.own.bend(placement, self._projection, self._edges, scene.clip_planes)
             enables, viewport = (*enables, *self._discard(placement)), self.frame.square
         else:
             recipe = self._recipe(placement, scene)
@@ -328,13 +402,13 @@ class DomeContext:
             program = self._bind(recipe, placement)
         for capability in enables:
             gl.glEnable(capability)
-        scissored = bool(gl.glIsEnabled(_SCISSOR_TEST))
-        if scissored:
+        if self._scissor is not None and flat:
+            gl.glScissor(*self.frame.flat(self._scissor))
+        elif self._scissor is not None:
             gl.glDisable(_SCISSOR_TEST)
-            self.say_once("glScissor cannot cut a picture on the dome; draws are left whole")
         if viewport != self._viewport:
             gl.glViewport(*viewport)
-        self._dressing = _Dressing(program, enables, viewport, scissored)
+        self._dressing = _Dressing(program, enables, viewport, self._scissor)
 
     def _recipe(self, placement: Placement, scene: Scene) -> Recipe:
         paper = self._options.method == "paper" and placement.place != "panel"
@@ -345,6 +419,8 @@ class DomeContext:
                 place=placement.place,
                 tilted=self._options.tilt != 0,
                 wide=self._options.fov > 180,
+                sides=() if placement.place == "panel" else self._edges.inner,
+                raster=None if not self._raster else "nowhere" if self._hidden(placement) else "point",
             ),
             scene,
             self._patch,
@@ -353,7 +429,7 @@ class DomeContext:
 
     def _enables(self, recipe: Recipe, placement: Placement) -> tuple[int, ...]:
         lighting = recipe.scene.lighting
-        wanted = [GL_CLIP_PLANE0 + i for i in recipe.clip_distances]
+        wanted = [GL_CLIP_PLANE0 + i for i in (*recipe.clip_distances, *recipe.side_distances)]
         if lighting is not None and lighting.two_sided:
             wanted.append(_VERTEX_PROGRAM_TWO_SIDE)
         if lighting is not None and lighting.separate_specular and not recipe.scene.secondary_color:
@@ -363,7 +439,11 @@ class DomeContext:
         return (*wanted, *self._discard(placement))
 
     def _discard(self, placement: Placement) -> tuple[int, ...]:
-        return (_RASTERIZER_DISCARD,) if placement.hud and self._options.hud == "off" else ()
+        left_out = self._edges.empty or (self._hidden(placement) and not self._raster)
+        return (_RASTERIZER_DISCARD,) if left_out else ()
+
+    def _hidden(self, placement: Placement) -> bool:
+        return placement.hud and self._options.hud == "off"
 
     def _bind(self, recipe: Recipe, placement: Placement) -> int:
         fragments = self.own.fragments
@@ -394,7 +474,9 @@ class DomeContext:
         )
 
     def _uniforms(self, mapping: Mapping, placement: Placement) -> list[tuple[str, tuple[float, ...]]]:
-        uniforms = [("domeLens", self.lens.uniform)]
+        uniforms: list[tuple[str, tuple[float, ...]]] = [("domeLens", self.lens.uniform)]
+        if mapping.place == "panel" or mapping.sides:
+            uniforms.append(("domeEdges", self._edges.bounds))
         if mapping.place != "modelview":
             uniforms.append(("domeView", placement.view))
         if mapping.place != "panel" and mapping.method == "vertex":

@@ -43,10 +43,24 @@ _IDENTITY = tuple(np.eye(4).ravel())
 
 
 @dataclass(frozen=True)
-class _View:
+class View:
+    """A perspective and its place in the window."""
+
     camera: Matrix
     """The main view's perspective, filled."""
     viewport: Rectangle
+
+    def direction(self, x: float, y: float) -> NDArray[np.float64]:
+        """(3,): where a point of the window is seen, in eye space; its z is -1."""
+        vx, vy, w, h = self.viewport
+        window = [2 * (x - vx) / w - 1, 2 * (y - vy) / h - 1, 1.0]
+        found: NDArray[np.float64] = np.linalg.solve(self.camera[_CAMERA, :3], window)
+        return found / -found[2]
+
+    def distance(self, depth: float, direction: NDArray[np.float64]) -> float:
+        """How far away a point of this depth, 0 to 1, is in a direction whose z is -1."""
+        p, z = self.camera, 2 * depth - 1
+        return float(p[2, 3] / (p[2, 2] - z * p[3, 2]) * np.linalg.norm(direction))
 
 
 class Placer:
@@ -58,7 +72,7 @@ class Placer:
     def __init__(self, options: Options) -> None:
         self._options = options
         self._known: list[Matrix] = []
-        self._main: _View | None = None
+        self._main: View | None = None
         self.on_modelview = False
         """A perspective went to the MODELVIEW stack: that matrix must be looked at as well."""
 
@@ -80,6 +94,15 @@ class Placer:
             return self._in_perspective(projection, projection @ modelview, viewport, frame)
         return self._flat(viewport, frame)
 
+    def through_window(self, frame: Frame) -> View:
+        """The main view, which what is drawn flat is seen through."""
+        return self._main or self._default_view(frame)
+
+    @property
+    def has_perspective(self) -> bool:
+        """The program has drawn in perspective: what it draws flat is a HUD."""
+        return self._main is not None
+
     def _in_perspective(
         self, projection: Matrix, whole: Matrix, viewport: Rectangle, frame: Frame
     ) -> Placement:
@@ -87,7 +110,7 @@ class Placer:
             return self._flat(viewport, frame)
         p = self._perspective_in(whole)
         camera = self._filled(p)
-        self._main = _View(camera, viewport)
+        self._main = View(camera, viewport)
         depth = depth_range(p).uniform
         if whole is projection and camera is p and np.allclose(projection, p, rtol=1e-6, atol=1e-9):
             return Placement("modelview", _IDENTITY, depth)
@@ -111,7 +134,7 @@ class Placer:
         return np.diag([scale, scale, 1.0, 1.0]) @ p
 
     def _flat(self, viewport: Rectangle, frame: Frame) -> Placement:
-        main = self._main or self._default_view(frame)
+        main = self.through_window(frame)
         x, y, w, h = viewport
         mx, my, mw, mh = main.viewport
         window = np.array(
@@ -126,11 +149,11 @@ class Placer:
         view[3, 3] = 1
         return Placement("panel", tuple(view.T.ravel()), (0.0, 0.0), hud=self._main is not None)
 
-    def _default_view(self, frame: Frame) -> _View:
+    def _default_view(self, frame: Frame) -> View:
         width, height = frame.program_size
         p = perspective(self._options.panel, width / height, 1.0, 10.0)
         assert p is not None
-        return _View(p, (0, 0, width, height))
+        return View(p, (0, 0, width, height))
 
 
 def _is_rigid(turn: NDArray[np.floating]) -> bool:

@@ -1,0 +1,79 @@
+"""The intercepted calls on pixels: where bitmaps and images go, what is drawn there, and what is cleared."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from domeshim.intercept.dome import Dome
+
+if TYPE_CHECKING:
+    from domeshim.state.context import DomeContext
+
+Call = Callable[..., Any]
+
+
+def at_raster(dome: Dome, original: Call) -> Call:
+    """glRasterPos, glBitmap, glDrawPixels, glCopyPixels."""
+
+    def call(*args: Any, **named: Any) -> Any:
+        if dome.context is not None:
+            dome.drawing()
+            dome.context.dress(raster=True)
+        return original(*args, **named)
+
+    return call
+
+
+def window_position(dome: Dome, original: Call) -> Call:
+    """glWindowPos: a place in the program's window lies where the panel has it."""
+
+    def call(*args: Any) -> Any:
+        context = dome.context
+        if context is None or not context.places_pixels:
+            return original(*args)
+        x, y, z = (*_numbers(args), 0.0)[:3]
+        place = context.window_position(x, y, z)
+        if place is not None:
+            context.driver.glWindowPos3f(*place)
+            return None
+        context.dress(raster=True)
+        context.driver.glRasterPos2f(0.0, 0.0)  # goes nowhere
+        return None
+
+    return call
+
+
+def _numbers(args: tuple[Any, ...]) -> list[float]:
+    values = args[0] if len(args) == 1 else args
+    return [float(value) for value in np.ravel(values)]
+
+
+def clear(dome: Dome, original: Call) -> Call:
+    """glClear, also within a scissor rectangle."""
+
+    def call(mask: int) -> Any:
+        context = dome.context
+        if context is None:
+            return original(mask)
+        context.undress()
+        if context.scissor_cuts:
+            return _clear_part(dome, context, int(mask))
+        with context.unscissored():
+            return original(mask)
+
+    return call
+
+
+_DRAWN = 0x4500
+"""The colour, depth and stencil bits."""
+
+
+def _clear_part(dome: Dome, context: DomeContext, mask: int) -> None:
+    dome.clearing()
+    context.clear_part(mask & _DRAWN)
+    if mask & ~_DRAWN:
+        with context.unscissored():
+            context.driver.glClear(mask & ~_DRAWN)
