@@ -19,8 +19,8 @@ _STAGES: Mapping[int, Stage] = {0x8DD9: "geometry", 0x8E87: "evaluation", 0x8B31
 _FRAGMENT, _SHADER_TYPE, _COMPILE_STATUS, _LINK_STATUS = 0x8B30, 0x8B4F, 0x8B81, 0x8B82
 _ATTACHED_SHADERS, _ACTIVE_UNIFORMS, _SOURCE_LENGTH = 0x8B85, 0x8B86, 0x8B88
 _OURS = {
-    *("domeMode", "domeFromClip", "domePlanes", "domeLens", "domeDepth", "domeTilt", "domeRim"),
-    *("gl_ClipPlane", "gl_ProjectionMatrixInverse"),
+    *("domeMode", "domeFromClip", "domeLens", "domeDepth", "domeTilt", "domeRim", "domeEdges"),
+    "gl_ClipPlane",
 }
 
 
@@ -31,7 +31,7 @@ class OwnProgram(Uniforms):
         """text: of the program's shader that was exchanged."""
         super().__init__(driver, name)
         self.cut = cut
-        """It cuts by CLIP_DISTANCES."""
+        """It cuts by RIM_DISTANCE and EDGE_DISTANCES."""
         self.own_matrices = own_matrices
         """Its projection, if any, is in a uniform of its own."""
         self.perspective: Matrix | None = None

@@ -15,8 +15,12 @@ from domeshim.shading.snippets import snippet
 
 Stage = Literal["vertex", "evaluation", "geometry"]
 
-CLIP_DISTANCES = {"dome": (7,), "panel": (4, 5, 6, 7)}
-"""The clip distances that cut the dome at its rim and the panel at its edges; the lower are the program's."""
+Planes = Literal["kept", "clip vertex", "open"]
+"""What becomes of the first three clip distances: the shader's own, the program's clip planes by the shader's
+gl_ClipVertex, or nothing is cut (without a gl_ClipVertex, GL leaves it open what clip planes do)."""
+
+RIM_DISTANCE, EDGE_DISTANCES = 3, (4, 5, 6, 7)
+"""The clip distances of the rim, and of the viewport's and scissor's edges; the lower are the program's."""
 
 _COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 _VERSION = re.compile(r"[ \t]*#[ \t]*version[ \t]+(\d+)[ \t]*(\w*)")
@@ -56,7 +60,7 @@ class Rewritten:
 
     text: str
     cut: bool
-    """It cuts at the dome's rim and the panel's edges, by CLIP_DISTANCES."""
+    """It cuts at the dome's rim and the panel's edges, by RIM_DISTANCE and EDGE_DISTANCES."""
 
 
 def uses_projection(text: str) -> bool:
@@ -95,26 +99,28 @@ def rewritten(text: str, stage: Stage, landing: Landing) -> tuple[Rewritten, ...
 def _joined(version: str, text: str, stage: Stage, landing: Landing, *, cut: bool) -> Rewritten:
     lines = text.split("\n")
     first = _top(text)
-    planes = cut and "compatibility" in version and "gl_ClipDistance" not in _bare(text)
-    before = _before(text, stage, landing, cut=cut, planes=planes)
+    bare = _bare(text)
+    planes: Planes = "kept" if not cut or "gl_ClipDistance" in bare else "open"
+    if planes == "open" and "compatibility" in version and "gl_ClipVertex" in bare:
+        planes = "clip vertex"
+    before = _before(stage, landing, cut=cut, planes=planes)
     after = "" if stage == "geometry" else _MAIN_AROUND
     return Rewritten("\n".join([version, *lines[:first], before, *lines[first:], after]), cut)
 
 
-def _before(text: str, stage: Stage, landing: Landing, *, cut: bool, planes: bool) -> str:
+def _before(stage: Stage, landing: Landing, *, cut: bool, planes: Planes) -> str:
     """What stands before the program's first declaration: our functions, and its main()'s new name."""
     names = ["own/land", f"lens/{landing.lens}", "bend/vertex", "bend/panel"]
     if landing.tilted:
         names.append("place/tilt")
     if cut:
         names += ["clip/cone" if landing.wide else "clip/behind", "clip/panel"]
-    if planes:
+    if planes == "clip vertex":
         names.append("own/planes")
     parts = [_NAMES.sub(lambda m: f"dome{m[0][0].upper()}{m[0][1:]}", snippet(name)) for name in names]
-    clip_vertex = planes and "gl_ClipVertex" in _bare(text)
-    if clip_vertex:
+    if planes == "clip vertex":
         parts.append("vec4 domeClipVertex;\n#define gl_ClipVertex domeClipVertex\n")
-    parts.append(_land(landing, cut=cut, planes=planes, clip_vertex=clip_vertex))
+    parts.append(_land(landing, cut=cut, planes=planes))
     if stage == "geometry":
         parts.append(_EMIT_AROUND)
     else:
@@ -122,28 +128,26 @@ def _before(text: str, stage: Stage, landing: Landing, *, cut: bool, planes: boo
     return "".join(parts)
 
 
-def _land(landing: Landing, *, cut: bool, planes: bool, clip_vertex: bool) -> str:
+def _land(landing: Landing, *, cut: bool, planes: Planes) -> str:
     """The function that takes gl_Position onto the dome."""
     lines = ["vec4 clip = gl_Position;"]
-    if planes:
-        eye = "domeClipVertex" if clip_vertex else "gl_ProjectionMatrixInverse * clip"
-        lines += ["if (domePlanes > 0.5) {", f"    vec4 planes = domePlanesOf({eye});"]
-        lines += [f"    gl_ClipDistance[{i}] = planes.{axis};" for i, axis in enumerate("xyzw")]
-        lines.append("}")
+    if planes == "clip vertex":
+        lines.append("vec3 planes = domePlanesOf(domeClipVertex);")
+        lines += [f"gl_ClipDistance[{i}] = planes.{axis};" for i, axis in enumerate("xyz")]
+    elif planes == "open":
+        lines += [f"gl_ClipDistance[{i}] = 1.0;" for i in range(RIM_DISTANCE)]
+    if cut:
+        lines.append("vec4 inside = domeInsideViewport(clip);")
+        edges = zip(EDGE_DISTANCES, "xyzw", strict=True)
+        lines += [f"gl_ClipDistance[{i}] = inside.{axis};" for i, axis in edges]
     lines += ["if (domeMode > 1.5) {", "    vec4 place = domeFromClip * clip;"]
     lines += ["    place = domeTilted(place);"] if landing.tilted else []
     lines.append("    gl_Position = domeBent(place, clip.z / clip.w);")
-    if cut:
-        lines.append("    vec4 inside = domeInsideViewport(clip);")
-        lines += [
-            f"    gl_ClipDistance[{i}] = inside.{axis};"
-            for i, axis in zip(CLIP_DISTANCES["panel"], "xyzw", strict=True)
-        ]
     lines += ["} else if (domeMode > 0.5) {", "    vec4 place = domePlace(clip);"]
     lines += ["    place = domeTilted(place);"] if landing.tilted else []
     lines.append("    gl_Position = domeBent(place);")
     if cut:
-        lines.append(f"    gl_ClipDistance[{CLIP_DISTANCES['dome'][0]}] = domeInFront(place);")
+        lines.append(f"    gl_ClipDistance[{RIM_DISTANCE}] = domeInFront(place);")
     lines.append("}")
     return "\n".join(["void domeLand() {", *(f"    {line}" for line in lines), "}", ""])
 

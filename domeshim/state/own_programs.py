@@ -12,14 +12,13 @@ from domeshim.lens.models import Lens
 from domeshim.options import Options
 from domeshim.shading.exchange import OwnProgram, link
 from domeshim.shading.fragments import FragmentStage
-from domeshim.shading.own import CLIP_DISTANCES, Landing
+from domeshim.shading.own import EDGE_DISTANCES, RIM_DISTANCE, Landing
 from domeshim.state.perspective import Matrix, is_perspective, perspective_part
 from domeshim.state.placement import Placement
 from domeshim.state.scene import GL_CLIP_PLANE0
+from domeshim.state.scissor import Edges
 
 _CURRENT_PROGRAM = 0x8B8D
-_PLANES = 4
-"""So many clip planes of the program reach its own shaders."""
 
 
 class OwnPrograms:
@@ -108,10 +107,12 @@ class OwnPrograms:
 
     # Around its draws.
 
-    def bend(self, placement: Placement, projection: Matrix, planes: tuple[int, ...]) -> tuple[int, ...]:
+    def bend(
+        self, placement: Placement, projection: Matrix, edges: Edges, planes: tuple[int, ...]
+    ) -> tuple[int, ...]:
         """Let the bound program end where the placement says; the capabilities to enable for it.
 
-        planes: the clip planes that the program has enabled.
+        edges: what the scissor leaves of the viewport; planes: the clip planes that the program has enabled.
         """
         own = self.current
         assert own is not None
@@ -120,12 +121,15 @@ class OwnPrograms:
         own.set("domeFromClip", placement.view if panel else self._from_clip(placement, projection))
         own.set("domeLens", self._lens.uniform)
         own.set("domeDepth", placement.depth)
-        own.set("domePlanes", (float(bool(planes)),))
         if self._landing.tilted:
             own.set("domeTilt", self._tilt)
         if self._landing.wide:
             own.set("domeRim", (-float(np.cos(self._fov / 2)),))
-        wanted = CLIP_DISTANCES["panel" if panel else "dome"] if own.cut else ()
+        own.set("domeEdges", edges.bounds)
+        if not own.cut:
+            return ()
+        inner = (0, 1, 2, 3) if panel else edges.inner
+        wanted = (*(() if panel else (RIM_DISTANCE,)), *(EDGE_DISTANCES[i] for i in inner))
         return tuple(GL_CLIP_PLANE0 + i for i in wanted if i not in planes)
 
     def _from_clip(self, placement: Placement, projection: Matrix) -> tuple[float, ...]:
@@ -135,11 +139,10 @@ class OwnPrograms:
             self._last = placement, projection, tuple(from_clip.T.ravel().tolist())
         return self._last[2]
 
-    def leave_straight(self, planes: tuple[int, ...]) -> None:
+    def leave_straight(self) -> None:
         """Let the bound program, if any is on the dome, draw as on the monitor."""
         if self.current is not None:
             self.current.set("domeMode", (0.0,))
-            self.current.set("domePlanes", (float(bool(planes)),))
 
 
 def _perspective_in(matrix: Matrix) -> Matrix | None:

@@ -121,8 +121,9 @@ def test_what_the_recipe_leaves_out_is_not_in_the_text():
 
 def test_clip_planes_go_by_the_programs_own_clip_vertex():
     assert "domePlanesOf(domeClipVertex)" in rewritten(CLIPPED, "vertex", Landing())[0].text
-    assert "domePlanesOf(gl_ProjectionMatrixInverse" in rewritten(PLAIN, "vertex", Landing())[0].text
-    assert "domePlanes" not in rewritten(CORE, "vertex", Landing())[0].text
+    assert "gl_ClipDistance[2] = 1.0" in rewritten(PLAIN, "vertex", Landing())[0].text
+    written = PLAIN.replace("{", "{ gl_ClipDistance[0] = 2.0;")
+    assert rewritten(written, "vertex", Landing())[0].text.count("gl_ClipDistance[0]") == 1
 
 
 @pytest.mark.parametrize(
