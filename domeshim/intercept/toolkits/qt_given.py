@@ -44,7 +44,14 @@ class GivenWindows:
 class _GlCalls:
     """What QOpenGLWidget and QOpenGLWindow have in common for a program."""
 
-    surface: Surface
+    windows: GivenWindows
+
+    @property
+    def surface(self) -> Surface:
+        """Made on first use: some programs call the __init__ of another of Qt's classes."""
+        if "_domeshim_surface" not in vars(self):
+            self._domeshim_surface = self.windows.adopt(self)
+        return self._domeshim_surface
 
     def initializeGL(self) -> None:
         pass
@@ -107,18 +114,19 @@ def _context_class(core: Any) -> type:
     return Context
 
 
-def _widget_class(windows: GivenWindows, original: type) -> type:
-    core = windows.toolkit.part("QtCore")
-    widget: Any = windows.toolkit.part("QtWidgets").QWidget
+def _widget_class(given: GivenWindows, original: type) -> type:
+    core = given.toolkit.part("QtCore")
+    widget: Any = given.toolkit.part("QtWidgets").QWidget
     signal = getattr(core, "Signal", None) or core.pyqtSignal
     context_class = _context_class(core)
 
     class Widget(_GlCalls, widget):  # type: ignore[misc]
+        windows = given
         aboutToCompose, frameSwapped, aboutToResize, resized = signal(), signal(), signal(), signal()
 
         def __init__(self, *args: Any, **named: Any) -> None:
             super().__init__(*(arg for arg in args if _is_widgets(arg, widget, core)), **named)
-            self.surface = windows.adopt(self)
+            self.surface.asked = True
 
         def event(self, event: Any) -> bool:
             if event.type() != core.QEvent.Type.Paint:
@@ -164,18 +172,19 @@ def _widget_class(windows: GivenWindows, original: type) -> type:
     return Widget
 
 
-def _window_class(windows: GivenWindows, original: type) -> type:
-    toolkit = windows.toolkit
+def _window_class(given: GivenWindows, original: type) -> type:
+    toolkit = given.toolkit
     core, gui = toolkit.part("QtCore"), toolkit.part("QtGui")
     signal = getattr(core, "Signal", None) or core.pyqtSignal
     context_class = _context_class(core)
 
     class GlWindow(_GlCalls, gui.QRasterWindow):  # type: ignore[misc,name-defined]
+        windows = given
         frameSwapped = signal()
 
         def __init__(self, *args: Any, **named: Any) -> None:
             super().__init__(*(arg for arg in args if isinstance(arg, gui.QWindow)), **named)
-            self.surface = windows.adopt(self)
+            self.surface.asked = True
 
         def paintEvent(self, event: Any) -> None:  # noqa: ARG002 - Qt's signature
             if self.surface.painting:
@@ -204,7 +213,8 @@ def _window_class(windows: GivenWindows, original: type) -> type:
 
 def _is_widgets(argument: Any, widget: type, core: Any) -> bool:
     """A QWidget takes this argument: its parent, or window flags; formats and share widgets are GL's."""
-    return argument is None or isinstance(argument, (widget, core.Qt.WindowType))
+    flags = [getattr(core.Qt, name) for name in ("WindowType", "WindowFlags") if hasattr(core.Qt, name)]
+    return argument is None or isinstance(argument, (widget, *flags))
 
 
 def _lend_names(ours: type, original: type) -> None:

@@ -11,11 +11,15 @@ import pytest
 from tests.intercept.toolkits import program_runs as runs
 
 
-def qt(source: str, binding: str) -> object:
-    missing = pytest.mark.skipif(find_spec(binding) is None, reason=f"{binding} is not installed (group qt)")
-    kind = "widget" if source is runs.QT_WIDGET else "window"
+def qt(source: str, binding: str, kind: str) -> object:
+    missing = pytest.mark.skipif(find_spec(binding) is None, reason=f"{binding} is not installed")
     return pytest.param(source.replace("BINDING", binding), marks=missing, id=f"{binding} {kind}")
 
+
+OF_QT5 = runs.QT_WIDGET.replace("QtOpenGLWidgets", "QtWidgets")
+OLDEST = runs.QT_WIDGET.replace("QtOpenGLWidgets", "QtOpenGL").replace("QOpenGLWidget", "QGLWidget")
+MISNAMED = OF_QT5.replace("super().__init__(parent)", "QMainWindow.__init__(self, parent)")
+"""Another class's __init__ is called, which PyQt lets pass."""
 
 PROGRAMS = [
     pytest.param(
@@ -24,7 +28,11 @@ PROGRAMS = [
         marks=pytest.mark.skipif(find_spec("pygame") is None, reason="pygame is not installed"),
     ),
     pytest.param(runs.GLFW, id="glfw"),
-    *(qt(source, binding) for source in (runs.QT_WIDGET, runs.QT_WINDOW) for binding in ("PySide6", "PyQt6")),
+    *(qt(runs.QT_WIDGET, binding, "widget") for binding in ("PySide6", "PyQt6")),
+    *(qt(runs.QT_WINDOW, binding, "window") for binding in ("PySide6", "PyQt6")),
+    qt(OF_QT5, "PyQt5", "widget"),
+    qt(OLDEST, "PyQt5", "QGLWidget"),
+    qt(MISNAMED, "PyQt5", "misnamed"),
 ]
 
 
