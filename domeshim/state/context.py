@@ -39,7 +39,7 @@ _PATCH_VERTICES, _SHADE_MODEL, _FLAT = 0x8E72, 0x0B54, 0x1D00
 _SCISSOR_TEST, _SCISSOR_BOX = 0x0C11, 0x0C10
 _MOST_PIECES = 60
 """A little under the 64 pieces that every driver has."""
-_WIDEST = np.pi / 3
+_WIDEST = 1.75
 """Within this angle a triangle's inside follows its edges."""
 _VERTEX_PROGRAM_TWO_SIDE, _PROGRAM_POINT_SIZE, _RASTERIZER_DISCARD = 0x8643, 0x8642, 0x8C89
 
