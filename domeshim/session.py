@@ -32,6 +32,12 @@ class Dome(Protocol):
     def window_closed(self, window: Window) -> None:
         """The window's context is about to go."""
 
+    def program_place(self, window: Window, x: float, y: float) -> tuple[float, float]:
+        """Where the program would see a place of the frame in its window; pixels, origin at the top left."""
+
+    def frame_place(self, window: Window, x: float, y: float) -> tuple[float, float]:
+        """Where a place of the program's window is in the frame; pixels, origin at the top left."""
+
     def flush(self) -> None:
         """Let GL see what has been recorded."""
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from domeshim import session as sessions
 from domeshim.GLUT import constants as c
 from domeshim.GLUT import keys
 from domeshim.GLUT.dispatch import call_input, call_window
@@ -14,9 +15,26 @@ _REPEATED = -1  # stands for the key whose automatic repetition is being ignored
 
 
 def program_pointer(window: GlutWindow, x: float, y: float) -> tuple[int, int]:
-    """Return where the program believes the pointer to be, in its own pixels, for a place in the frame."""
+    """Return where the program believes the pointer to be, in its own pixels, for a place in the frame.
+
+    On the dome: where the monitor would show what is in the middle of the pixel under the pointer.
+    """
+    dome = sessions.current().dome
+    if dome is not None:
+        x, y = dome.program_place(window.surface, math.floor(x) + 0.5, math.floor(y) + 0.5)
+        return math.floor(x), math.floor(y)
     width, height = window.surface.size
     return math.floor(x * window.size[0] / max(width, 1)), math.floor(y * window.size[1] / max(height, 1))
+
+
+def frame_pointer(window: GlutWindow, x: int, y: int) -> tuple[float, float]:
+    """Return the place in the frame of a pixel of the program's window: program_pointer's way back."""
+    width, height = window.surface.size
+    dome = sessions.current().dome
+    if dome is None:
+        return x * width / window.size[0], y * height / window.size[1]
+    x_found, y_found = dome.frame_place(window.surface, x + 0.5, y + 0.5)
+    return max(0, min(math.floor(x_found), width - 1)), max(0, min(math.floor(y_found), height - 1))
 
 
 def key(state: GlutState, window: GlutWindow, key: int, pressed: bool, modifiers: int) -> None:

@@ -12,6 +12,7 @@ from domeshim.GLUT.closing import mark_closed
 from domeshim.GLUT.complaints import fatal
 from domeshim.GLUT.dispatch import make_current
 from domeshim.GLUT.events import QueuedEvents
+from domeshim.GLUT.input import frame_pointer
 from domeshim.GLUT.state import GlutState, GlutWindow, current_window, glut_state, initialised_state
 from domeshim.window.contract import SurfaceFormat
 
@@ -237,8 +238,7 @@ def glutWarpPointer(x: Any, y: Any) -> None:
     """Put the pointer at (x, y) of the current window, in the program's pixels."""
     place = (integer("glutWarpPointer", "x", x), integer("glutWarpPointer", "y", y))
     window = current_window("glutWarpPointer")
-    width, height = window.surface.size
-    window.surface.warp_pointer(place[0] * width / window.size[0], place[1] * height / window.size[1])
+    window.surface.warp_pointer(*frame_pointer(window, *place))
 
 
 def glutPostRedisplay() -> None:

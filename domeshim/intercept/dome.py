@@ -103,6 +103,18 @@ class Dome:
             self.window_current(None)
 
     def clearing(self) -> None:
+    def program_place(self, window: Window, x: float, y: float) -> tuple[float, float]:
+        """Where the program would see a place of the frame in its window; pixels, origin at the top left."""
+        sight = self._windows[window].context.sight
+        place = sight.to_program(np.array([x, sight.frame.size[1] - y]))
+        return float(place[0]), float(sight.frame.program_size[1] - place[1])
+
+    def frame_place(self, window: Window, x: float, y: float) -> tuple[float, float]:
+        """Where a place of the program's window is in the frame; pixels, origin at the top left."""
+        sight = self._windows[window].context.sight
+        place = sight.to_frame(np.array([x, sight.frame.program_size[1] - y]))
+        return float(place[0]), float(sight.frame.size[1] - place[1])
+
         """The program clears a buffer, and the dome does it."""
         self._session.clearing()
 

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from domeshim.intercept import pixels, recorded, shaders
+from domeshim.intercept import pixels, reading, recorded, shaders
 from domeshim.intercept.arrays import draw_arrays, draw_elements, draw_range_elements, writes_buffer
 from domeshim.intercept.dome import Dome
 from domeshim.intercept.lists import call_list, call_lists, delete_lists, end_list, new_list
@@ -39,6 +39,7 @@ _TEXTURES = re.compile(r"glTexGen(|[dfi]v?)")
 _REST = re.compile(r"gl(Fog(|[fi]v?)|PointParameter(|[fi]v?))")
 _LOADS = re.compile(r"gl(Load|Mult)(Transpose)?Matrix[df]?")
 _GETS = re.compile(r"glGet(Boolean|Double|Float|Integer)(v|)|glIsEnabled")
+_READ_PIXELS = re.compile(r"glReadPixels(b|d|f|i|s|ub|ui|us)?")
 _READS = re.compile(r"glGetHandle|glReadPixels\w*|glCopyTex\w+|glAccum|glClear")
 _UNIFORMS = re.compile(r"glUniform\w+")
 _RECTS = re.compile(r"glRect[dfis](v?)")
@@ -376,3 +377,4 @@ _FAMILIES: tuple[tuple[re.Pattern[str], Maker], ...] = (
     (_GETS, _get),
     (_READS, _read),
 )
+    (_READ_PIXELS, reading.read_pixels),

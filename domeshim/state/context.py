@@ -29,6 +29,7 @@ from domeshim.shading.tessellation import compose_tessellated
 from domeshim.state.own_programs import OwnPrograms
 from domeshim.state.perspective import Matrix
 from domeshim.state.placement import Placement, Placer
+from domeshim.state.pointer import Sight
 from domeshim.state.scene import GL_CLIP_PLANE0, GL_COLOR_SUM, GROUPS, SceneState
 from domeshim.state.scissor import Edges, edges_of, in_view
 from domeshim.window.frame import Frame, Rectangle
@@ -193,6 +194,13 @@ class DomeContext:
         disc = disc_of(direction, self.lens, self._options.tilt)
         x0, y0, side, _ = self.frame.square
         if placement.place != "panel":
+    @property
+    def sight(self) -> Sight:
+        """How the program's window lies on the dome, by the last main view that was drawn."""
+        view = self.placer.through_window(self.frame)
+        paper = self._options.method == "paper"
+        return Sight(view, self.frame, self.lens, self.rim, self._options.tilt, paper)
+
             a, b = placement.depth
             depth = (a + b / main.distance(depth, direction) + 1) / 2
         return float(x0 + (disc[0] + 1) * side / 2), float(y0 + (disc[1] + 1) * side / 2), depth
