@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from domeshim.draw.extent import Extent
 from domeshim.draw.listed import ListedMesh
 from domeshim.draw.materials import material_run
 from domeshim.draw.rim import Rim
@@ -102,7 +103,6 @@ class Dome:
         if self._current is closed:
             self.window_current(None)
 
-    def clearing(self) -> None:
     def program_place(self, window: Window, x: float, y: float) -> tuple[float, float]:
         """Where the program would see a place of the frame in its window; pixels, origin at the top left."""
         sight = self._windows[window].context.sight
@@ -115,6 +115,7 @@ class Dome:
         place = sight.to_frame(np.array([x, sight.frame.program_size[1] - y]))
         return float(place[0]), float(sight.frame.size[1] - place[1])
 
+    def clearing(self) -> None:
         """The program clears a buffer, and the dome does it."""
         self._session.clearing()
 
@@ -180,6 +181,28 @@ class Dome:
             return True
         subdivision = subdivision_of(run, current.context)
         return subdivision is not None and subdivide(run, current.context, current.submitter, subdivision)
+
+    def draw_run(self, run: Run, extent: Extent | None) -> None:
+        """Draw what the program asks for whole, and leave its last attributes current.
+
+        extent: the run's own, or None where it has no edges.
+        """
+        if self.recorder.pending()():
+            self.flush()
+        current = self._current
+        assert current is not None
+        context, building = current.context, self.building
+        self._session.drawing()
+        if building is not None:
+            if building.meshes < _MESHES_OF_A_LIST and context.may_subdivide:
+                self.keep_mesh(run)
+                return
+            building.used = True
+        subdivision = context.subdivision(extent) if extent is not None else None
+        if subdivision is None or not subdivide(run, context, current.submitter, subdivision):
+            context.dress()
+            current.submitter.draw_whole(run)
+        current.submitter.make_current(run)
 
     def read_elements(self, count: int, kind: int, indices: object) -> NDArray[np.integer]:
         """glDrawElements' indices, wherever they lie."""

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from domeshim.intercept import gl
 from domeshim.intercept.dome import Dome
+from domeshim.intercept.quadrics.calls import quadric_calls
 from domeshim.state.perspective import perspective
 
 if TYPE_CHECKING:
@@ -21,11 +22,12 @@ def replacements(session: Session, module: ModuleType) -> dict[str, Call]:
     dome = session.dome
     if not isinstance(dome, Dome):
         return {}
-    return {
+    ours = {
         name: gl.after_recorded(dome, name, _CALLS[name](dome, original) if name in _CALLS else original)
         for name, original in vars(module).items()
         if name.startswith("glu") and callable(original) and name not in _UNSEEN
     }
+    return ours | quadric_calls(dome, vars(module), unseen=ours)
 
 
 def _perspective(dome: Dome, original: Call) -> Call:
