@@ -7,7 +7,7 @@ DEMO := demos/teapots.py
 PICTURES := pictures
 DEBIAN := libegl1 libgl1-mesa-dri libglx-mesa0 libglu1-mesa libglut3.12 xvfb xauth xdotool
 
-.PHONY: demo test check-style debian clean
+.PHONY: demo test check-style corpus debian clean
 
 demo: $(VENV)/installed
 	@if [ -n "$$DISPLAY$$WAYLAND_DISPLAY" ]; then \
@@ -26,6 +26,10 @@ test: $(VENV)/developed debian check-style
 check-style: $(VENV)/developed
 	$(BIN)/ruff check .
 	$(BIN)/mypy
+
+# Every program of PyOpenGL-Demo beside stock PyOpenGL: docs/corpus.md, in some ten minutes.
+corpus: $(VENV)/developed debian
+	$(BIN)/python benchmarks/corpus.py
 
 # Installed editable, so the stamps go stale only with what an installation copies.
 COPIED := pyproject.toml domeshim.pth domeshim.start _domeshim_gate.py
