@@ -1,0 +1,42 @@
+"""The bound on an edge's angle holds for every edge, wherever the mesh is."""
+
+import numpy as np
+from hypothesis import given
+from hypothesis import strategies as st
+
+from domeshim.draw.extent import Extent
+from domeshim.draw.patches import corners, longest_edge
+
+
+def angles(points, edges):
+    a, b = points[edges[:, 0]], points[edges[:, 1]]
+    return np.arctan2(np.linalg.norm(np.cross(a, b), axis=1), (a * b).sum(1))
+
+
+@given(st.integers(0, 100_000), st.floats(0.01, 100), st.floats(-2, 2))
+def test_no_edge_subtends_more_than_the_bound(seed, size, shear):
+    rng = np.random.default_rng(seed)
+    points = rng.normal(size=(12, 3)) * size
+    to_eye = np.eye(4)
+    to_eye[:3, :3] = rng.normal(size=(3, 3))
+    to_eye[0, 1] += shear
+    to_eye[:3, 3] = rng.normal(size=3) * 10
+    edges = corners(1, 12)
+    eye = points @ to_eye[:3, :3].T + to_eye[:3, 3]
+    matrix = to_eye.T.ravel().tolist()
+    largest = angles(eye, edges).max()
+    exact = Extent.of(points, longest_edge(points, edges))
+    few = Extent.of_few(points.ravel().tolist())
+    assert exact.largest_angle(matrix) >= largest - 1e-9
+    assert few.largest_angle(matrix) >= largest - 1e-9
+
+
+def test_bound_is_close_for_a_short_edge_ahead():
+    extent = Extent.of_few([-0.5, 0, -10, 0.5, 0, -10])
+    assert extent.largest_angle(np.eye(4).T.ravel().tolist()) < 1.1 * 2 * np.arctan(0.05)
+
+
+def test_projective_matrix_bounds_nothing():
+    matrix = np.eye(4)
+    matrix[3, 2] = -1
+    assert Extent.of_few([0, 0, -1, 1, 0, -1]).largest_angle(matrix.T.ravel().tolist()) == np.pi

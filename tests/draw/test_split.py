@@ -1,0 +1,72 @@
+"""Wide primitives are halved evenly in angle, alike on both sides of an edge."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from domeshim.draw.split import split_wide
+from domeshim.record.immediate import Run
+
+WIDEST = 1.0
+
+
+def split(positions, corners, to_eye=None, **attributes):
+    piece = Run(
+        np.asarray(positions, np.float32), {n: np.asarray(v, np.float32) for n, v in attributes.items()}, ()
+    )
+    return split_wide(piece, corners, np.eye(4) if to_eye is None else to_eye, WIDEST)
+
+
+def edge_angles(run, corners):
+    d = run.positions[:, :3].astype(float).reshape(-1, corners, 3)
+    d /= np.linalg.norm(d, axis=-1, keepdims=True)
+    following = np.roll(d, -1, 1)
+    return np.arctan2(np.linalg.norm(np.cross(d, following), axis=-1), (d * following).sum(-1))
+
+
+@given(st.integers(0, 100_000))
+def test_every_edge_is_narrow_and_no_area_is_lost(seed):
+    points = np.random.default_rng(seed).normal(size=(3, 3)) * 10 + [0, 0, -1]
+    run = split(points, 3)
+    assert edge_angles(run, 3).max() <= WIDEST + 1e-4
+    p = run.positions[:, :3].astype(float).reshape(-1, 3, 3)
+    areas = np.linalg.norm(np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]), axis=-1) / 2
+    whole = np.linalg.norm(np.cross(points[1] - points[0], points[2] - points[0])) / 2
+    assert areas.sum() == pytest.approx(whole, rel=1e-3)
+
+
+def on_edge(run, a, b):
+    """The vertices of a run that lie on the edge from a to b, as exact numbers."""
+    p = run.positions[:, :3]
+    t = ((p - a) @ (b - a)) / ((b - a) @ (b - a))
+    near = np.linalg.norm(p - (a + t[:, None] * (b - a)), axis=1) < 1e-4 * np.linalg.norm(b - a)
+    return {tuple(row) for row in p[near]}
+
+
+def test_neighbours_share_every_vertex_of_their_edge():
+    a, b = np.array([-50, -1, -50], np.float32), np.array([50, -1, 50], np.float32)
+    left = split([a, b, [-50, -1, 50]], 3)
+    right = split([b, a, [50, -1, -50]], 3)
+    assert len(on_edge(left, a, b)) > 2
+    assert on_edge(left, a, b) == on_edge(right, a, b)
+
+
+def test_lines_are_cut_evenly_in_angle():
+    run = split([[-50, 3, -2], [50, 3, -2]], 2)
+    angles = edge_angles(run, 2)[:, 0]
+    assert angles.max() - angles.min() < 1e-4
+
+
+def test_attributes_are_those_of_the_surface():
+    run = split(
+        [[-5, -1, -5], [5, -1, -5], [0, -1, 5]], 3, color=[[-5, -5, 0, 1], [5, -5, 0, 1], [0, 5, 0, 1]]
+    )
+    assert run.attributes["color"][:, 0] == pytest.approx(run.positions[:, 0], abs=1e-4)
+    assert run.attributes["color"][:, 1] == pytest.approx(run.positions[:, 2], abs=1e-4)
+
+
+def test_what_has_no_finite_place_is_left_out_and_nothing_else():
+    run = split([[0, 0, -1], [1, 0, -2], [np.nan, 0, -1], [0, 0, -9], [1, 0, -9], [0, 1, -9]], 3)
+    assert len(run.positions) == 3
+    assert np.isfinite(run.positions).all()

@@ -1,0 +1,152 @@
+"""Long edges bend by themselves: lines lie on their true curves and surfaces close."""
+
+import numpy as np
+import pytest
+from scipy.spatial import cKDTree
+
+from domeshim.lens.models import Equidistant
+from domeshim.lens.projection import disc_of
+from domeshim.state.context import DomeContext
+
+SIZE = 512
+EDGES = {
+    "long": ((-50, 3, -2), (50, 3, -2)),
+    "hair": ((-100, 0.01, -0.01), (100, 0.01, -0.01)),
+    "stiff": ((0.01, 0.02, -0.01), (500, 30, -1000)),
+    "steep": ((1, -40, -3), (1, 40, -0.5)),
+}
+
+
+def perspective(gl):
+    gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT)
+    gl.glMatrixMode(gl.GL_PROJECTION)
+    gl.gluPerspective(60, 1, 0.001, 10_000)
+    gl.glMatrixMode(gl.GL_MODELVIEW)
+
+
+def immediately(gl, mode, vertices):
+    gl.glBegin(mode)
+    for vertex in vertices:
+        gl.glVertex3f(*vertex)
+    gl.glEnd()
+
+
+def listed(gl, mode, vertices):
+    gl.glNewList(1, gl.GL_COMPILE)
+    immediately(gl, mode, vertices)
+    gl.glEndList()
+    gl.glCallList(1)
+
+
+def from_array(gl, mode, vertices):
+    gl.glEnableClientState(gl.GL_VERTEX_ARRAY)
+    gl.glVertexPointer(3, gl.GL_FLOAT, 0, np.array(vertices, np.float32))
+    gl.glDrawArrays(mode, 0, len(vertices))
+    gl.glDisableClientState(gl.GL_VERTEX_ARRAY)
+
+
+def from_buffer(gl, mode, vertices):
+    data = np.array(vertices, np.float32)
+    buffer = gl.glGenBuffers(1)
+    gl.glBindBuffer(gl.GL_ARRAY_BUFFER, buffer)
+    gl.glBufferData(gl.GL_ARRAY_BUFFER, data.nbytes, data, gl.GL_STATIC_DRAW)
+    gl.glEnableClientState(gl.GL_VERTEX_ARRAY)
+    gl.glVertexPointer(3, gl.GL_FLOAT, 0, None)
+    gl.glDrawElements(mode, len(data), gl.GL_UNSIGNED_SHORT, np.arange(len(data), dtype=np.uint16))
+    gl.glDisableClientState(gl.GL_VERTEX_ARRAY)
+    gl.glBindBuffer(gl.GL_ARRAY_BUFFER, 0)
+
+
+WAYS = [immediately, listed, from_array, from_buffer]
+
+
+def true_curve(a, b, fov):
+    """(n, 2) pixels of the line from a to b, columns and rows, in float64, evenly in angle."""
+    a, b = np.asarray(a, float), np.asarray(b, float)
+    r0, r1 = np.linalg.norm(a), np.linalg.norm(b)
+    angle = np.arctan2(np.linalg.norm(np.cross(a, b)), a @ b)
+    s = np.linspace(0, 1, 20_001)[:, None]
+    disc = disc_of(np.sin((1 - s) * angle) * a / r0 + np.sin(s * angle) * b / r1, Equidistant(fov))
+    return (np.stack([disc[:, 0], -disc[:, 1]], -1) + 1) * SIZE / 2 - 0.5
+
+
+@pytest.mark.parametrize("way", WAYS)
+@pytest.mark.parametrize("edge", EDGES.values(), ids=EDGES)
+def test_long_lines_lie_on_their_true_curves(beside, edge, way):
+    def scene(gl):
+        perspective(gl)
+        way(gl, gl.GL_LINES, edge)
+
+    picture = beside.through_dome(scene, (SIZE, SIZE), fov=180.0, tolerance=0.1).picture
+    rows, columns = np.nonzero(picture.max(-1) > 128)
+    curve = true_curve(*edge, 180.0)
+    curve = curve[np.hypot(*(curve - (SIZE - 1) / 2).T) < SIZE / 2 - 1]
+    drawn = np.stack([columns, rows], -1).astype(float)
+    drawn = drawn[np.hypot(*(drawn - (SIZE - 1) / 2).T) < SIZE / 2 - 2]
+    assert cKDTree(curve).query(drawn)[0].max() < 0.1 + 0.75  # a pixel's centre is up to half a diagonal off
+    assert cKDTree(drawn).query(curve)[0].max() < 1.5
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_a_floor_of_one_quad_reaches_the_horizon(beside, way):
+    def scene(gl):
+        perspective(gl)
+        way(gl, gl.GL_QUADS, [(-50, -1, -50), (50, -1, -50), (50, -1, 50), (-50, -1, 50)])
+
+    picture = beside.through_dome(scene, (SIZE, SIZE), fov=180.0).picture[..., 0] > 128
+    column, row = np.meshgrid((np.arange(SIZE) + 0.5) / SIZE * 2 - 1, 1 - (np.arange(SIZE) + 0.5) / SIZE * 2)
+    radius = np.hypot(column, row)
+    scale = np.sin(radius * np.pi / 2) / radius
+    x, y, z = column * scale, row * scale, -np.cos(radius * np.pi / 2)
+    with np.errstate(divide="ignore"):
+        floor = (y < 0) & (np.abs(x / y) < 50) & (np.abs(z / y) < 50) & (radius < 1)
+    wrong = (picture != floor) & (radius < 0.99)
+    assert wrong.sum() < 0.002 * floor.sum()
+
+
+@pytest.mark.parametrize("fov", [180.0, 220.0])
+@pytest.mark.parametrize("method", ["auto", "tessellate"])
+def test_a_closed_room_has_no_pinhole(beside, fov, method):
+    def scene(gl):
+        perspective(gl)
+        gl.glTranslatef(0.3, -0.2, 0.1)
+        a, b = -2, 3
+        corners = [(x, y, z) for x in (a, b) for y in (a, b) for z in (a, b)]
+        faces = ((0, 1, 3, 2), (4, 5, 7, 6), (0, 1, 5, 4), (2, 3, 7, 6), (0, 2, 6, 4), (1, 3, 7, 5))
+        immediately(gl, gl.GL_QUADS, [corners[k] for face in faces for k in face])
+
+    picture = beside.through_dome(scene, (SIZE, SIZE), fov=fov, method=method).picture
+    column, row = np.meshgrid(*[(np.arange(SIZE) + 0.5) / SIZE * 2 - 1] * 2)
+    inside = np.hypot(column, row) < 0.995
+    assert (picture[inside] == 255).all()
+
+
+def test_wireframe_shows_the_programs_own_edges(beside):
+    def scene(gl):
+        perspective(gl)
+        gl.glPolygonMode(gl.GL_FRONT_AND_BACK, gl.GL_LINE)
+        immediately(gl, gl.GL_QUADS, [(-3, -3, -2), (3, -3, -2), (3, 3, -2), (-3, 3, -2)])
+
+    picture = beside.through_dome(scene, (SIZE, SIZE), fov=180.0).picture.max(-1) > 128
+    assert picture.any()
+    assert not picture[SIZE // 2 - 60 : SIZE // 2 + 60, SIZE // 2 - 60 : SIZE // 2 + 60].any()
+
+
+def test_short_edges_are_not_subdivided(beside, monkeypatch):
+    patches = []
+    dress = DomeContext.dress
+
+    def spy(context, patch=None):
+        patches.append(patch)
+        dress(context, patch)
+
+    def triangle(gl, size):
+        perspective(gl)
+        immediately(gl, gl.GL_TRIANGLES, [(0, 0, -20), (size, 0, -20), (0, size, -20)])
+
+    monkeypatch.setattr(DomeContext, "dress", spy)
+    beside.through_dome(lambda gl: triangle(gl, 1), (SIZE, SIZE), fov=180.0)
+    assert patches
+    assert set(patches) == {None}
+    beside.through_dome(lambda gl: triangle(gl, 10), (SIZE, SIZE), fov=180.0)
+    assert "triangles" in patches
