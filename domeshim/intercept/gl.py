@@ -219,12 +219,14 @@ def _switch(dome: Dome, original: Call) -> Call:
     """glEnable and glDisable."""
 
     def switch(capability: int) -> Any:
-        if dome.context is not None:
-            dome.context.undress()
+        context = dome.context
+        if context is not None:
+            if capability in _TOUCHED:
+                context.undress()
             if capability == _SCISSOR_TEST:
-                dome.context.viewport_changed()
+                context.viewport_changed()
             else:
-                dome.context.scene.stale.add(GROUP_OF[capability])
+                context.scene.stale.add(GROUP_OF[capability])
         return original(capability)
 
     kept = kept_in_lists(lambda _dome, _original: switch)(dome, original)
@@ -375,6 +377,6 @@ _FAMILIES: tuple[tuple[re.Pattern[str], Maker], ...] = (
     (_REST, kept_in_lists(_staling("rest"))),
     (_LOADS, _load_matrix),
     (_GETS, _get),
+    (_READ_PIXELS, reading.read_pixels),
     (_READS, _read),
 )
-    (_READ_PIXELS, reading.read_pixels),

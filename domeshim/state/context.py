@@ -22,27 +22,24 @@ from domeshim.lens.detail import pieces_per_radian
 from domeshim.lens.models import Lens, lens_of, rim_radius
 from domeshim.lens.projection import disc_of
 from domeshim.options import Options
-from domeshim.shading.compose import compose
-from domeshim.shading.program import Program
-from domeshim.shading.recipe import Mapping, Patch, Recipe, Scene
-from domeshim.shading.tessellation import compose_tessellated
+from domeshim.shading.recipe import Patch, Scene
 from domeshim.state.own_programs import OwnPrograms
 from domeshim.state.perspective import Matrix
 from domeshim.state.placement import Placement, Placer
 from domeshim.state.pointer import Sight
-from domeshim.state.scene import GL_CLIP_PLANE0, GL_COLOR_SUM, GROUPS, SceneState
+from domeshim.state.scene import GROUPS, SceneState
 from domeshim.state.scissor import Edges, edges_of, in_view
+from domeshim.state.wardrobe import Look, Wardrobe
 from domeshim.window.frame import Frame, Rectangle
 
 _VIEWPORT, _MATRIX_MODE, _MODELVIEW, _PROJECTION, _TEXTURE = 0x0BA2, 0x0BA0, 0x1700, 0x1701, 0x1702
 _MODELVIEW_MATRIX, _PROJECTION_MATRIX, _CURRENT_PROGRAM = 0x0BA6, 0x0BA7, 0x8B8D
-_PATCH_VERTICES, _SHADE_MODEL, _FLAT = 0x8E72, 0x0B54, 0x1D00
+_PATCH_VERTICES = 0x8E72
 _SCISSOR_TEST, _SCISSOR_BOX = 0x0C11, 0x0C10
 _MOST_PIECES = 60
 """A little under the 64 pieces that every driver has."""
 _WIDEST = 1.75
 """Within this angle a triangle's inside follows its edges."""
-_VERTEX_PROGRAM_TWO_SIDE, _PROGRAM_POINT_SIZE, _RASTERIZER_DISCARD = 0x8643, 0x8642, 0x8C89
 
 
 Subdivision = Literal["pieces", "split"] | None
@@ -73,7 +70,7 @@ class DomeContext:
         self.compiling = False
         """A display list is being compiled: nothing of ours may get into it."""
         self._options = options
-        self._programs: dict[Recipe, Program] = {}
+        self._wardrobe = Wardrobe(driver, options, self.lens)
         self._bypasses: set[str] = set()
         self._said: set[str] = set()
         self._projection_stale = True
@@ -182,8 +179,7 @@ class DomeContext:
 
     def window_position(self, x: float, y: float, depth: float) -> tuple[float, float, float] | None:
         """Where a point of the program's window, and the depth there, are in the frame; None if it is hidden."""
-        if self._stale:
-            self.undress()
+        self._uncover()
         placement = self._see_placement()
         if self.placer.has_perspective and self._options.hud == "off":
             return None
@@ -194,16 +190,16 @@ class DomeContext:
         disc = disc_of(direction, self.lens, self._options.tilt)
         x0, y0, side, _ = self.frame.square
         if placement.place != "panel":
+            a, b = placement.depth
+            depth = (a + b / main.distance(depth, direction) + 1) / 2
+        return float(x0 + (disc[0] + 1) * side / 2), float(y0 + (disc[1] + 1) * side / 2), depth
+
     @property
     def sight(self) -> Sight:
         """How the program's window lies on the dome, by the last main view that was drawn."""
         view = self.placer.through_window(self.frame)
         paper = self._options.method == "paper"
         return Sight(view, self.frame, self.lens, self.rim, self._options.tilt, paper)
-
-            a, b = placement.depth
-            depth = (a + b / main.distance(depth, direction) + 1) / 2
-        return float(x0 + (disc[0] + 1) * side / 2), float(y0 + (disc[1] + 1) * side / 2), depth
 
     @property
     def scissor_cuts(self) -> bool:
@@ -229,7 +225,7 @@ class DomeContext:
         """glClear what the scissor leaves of the program's window; the context must be undressed."""
         placement = self._see_placement()
         main = self.placer.through_window(self.frame)
-        if self._edges.empty or self._scissor is None or self._hidden(placement):
+        if self._edges.empty or self._scissor is None or self._wardrobe.hides(placement):
             return
         edges = self._edges
         if placement.place == "panel":
@@ -254,9 +250,9 @@ class DomeContext:
             self.own.leave_straight()
             return
         if self._dressing is None or self._stale or patch != self._patch or raster != self._raster:
-            self.undress()
+            self._uncover()
             self._patch, self._raster = patch, raster
-            self._put_on(self._look())
+            self._put_on(*self._look())
             if patch is not None:
                 self.driver.glPatchParameteri(_PATCH_VERTICES, 2 if patch == "lines" else 3)
 
@@ -269,8 +265,7 @@ class DomeContext:
         """What a mesh needs to keep the tolerance: nothing, pieces of its edges, or to be split first."""
         if self.compiling or self._bypasses or not self._can_subdivide:
             return None
-        if self._stale:
-            self.undress()
+        self._uncover()
         placement = self._see_placement()
         if placement.hud and self._options.hud != "panel":
             return None
@@ -347,7 +342,16 @@ class DomeContext:
         if dressing.viewport != self._viewport:
             gl.glViewport(*self._viewport)
         if dressing.program:
-            gl.glUseProgram(self.own.fragments.name if self.own.fragments else 0)
+            gl.glUseProgram(self._programs_own)
+
+    def _uncover(self) -> None:
+        """Undress if GL is about to be asked for what the dome changes."""
+        if self._placement_stale or "rest" in self.scene.stale:
+            self.undress()
+
+    @property
+    def _placement_stale(self) -> bool:
+        return self._projection_stale or self._matrix_mode == _PROJECTION or self.placer.on_modelview
 
     @property
     def _stale(self) -> bool:
@@ -364,12 +368,7 @@ class DomeContext:
         return self._see_placement(), self.scene.scene()
 
     def _see_placement(self) -> Placement:
-        if (
-            self._placement is None
-            or self._projection_stale
-            or self._matrix_mode == _PROJECTION
-            or self.placer.on_modelview
-        ):
+        if self._placement is None or self._placement_stale:
             self._placement = self._ask_placement()
         return self._placement
 
@@ -392,109 +391,46 @@ class DomeContext:
     def _matrix(self, name: int) -> Matrix:
         return np.array(self.driver.doubles(name, 16)).reshape(4, 4).T
 
-    def _put_on(self, look: tuple[Placement, Scene]) -> None:
-        placement, scene = look
-        flat = placement.hud and self._options.hud == "flat"
-        enables: tuple[int, ...]
-        program = 0
-        gl = self.driver
-        if flat:
-            enables, viewport = (), self.frame.flat(self._viewport)
+    def _put_on(self, placement: Placement, scene: Scene) -> None:
+        look = Look(placement, scene, self._edges, self._patch, self._raster, self.own.fragments)
+        if placement.hud and self._options.hud == "flat":
             self.own.leave_straight()
+            self._change(_Dressing(0, (), self.frame.flat(self._viewport), self._scissor))
+            if self._scissor is not None:
+                self.driver.glScissor(*self.frame.flat(self._scissor))
+                self.driver.glEnable(_SCISSOR_TEST)
         elif self.own.current is not None:
             enables = self.own.bend(placement, self._projection, self._edges, scene.clip_planes)
-            enables, viewport = (*enables, *self._discard(placement)), self.frame.square
+            enables = (*enables, *self._wardrobe.discard(look))
+            self._change(_Dressing(0, enables, self.frame.square, self._scissor))
         else:
-            recipe = self._recipe(placement, scene)
-            enables, viewport = self._enables(recipe, placement), self.frame.square
-            program = self._bind(recipe, placement)
-        for capability in enables:
-            gl.glEnable(capability)
-        if self._scissor is not None and flat:
-            gl.glScissor(*self.frame.flat(self._scissor))
-        elif self._scissor is not None:
-            gl.glDisable(_SCISSOR_TEST)
-        if viewport != self._viewport:
-            gl.glViewport(*viewport)
-        self._dressing = _Dressing(program, enables, viewport, self._scissor)
+            outfit = self._wardrobe.outfit(look)
+            self._change(_Dressing(outfit.program.name, outfit.enables, self.frame.square, self._scissor))
+            self._wardrobe.send(outfit, look, self._detail)
 
-    def _recipe(self, placement: Placement, scene: Scene) -> Recipe:
-        paper = self._options.method == "paper" and placement.place != "panel"
-        return Recipe(
-            Mapping(
-                method="paper" if paper else "vertex",
-                lens=self.lens.name,
-                place=placement.place,
-                tilted=self._options.tilt != 0,
-                wide=self._options.fov > 180,
-                sides=() if placement.place == "panel" else self._edges.inner,
-                raster=None if not self._raster else "nowhere" if self._hidden(placement) else "point",
-            ),
-            scene,
-            self._patch,
-            flat=self._patch is not None and self.driver.integer(_SHADE_MODEL) == _FLAT,
-        )
+    def _change(self, new: _Dressing) -> None:
+        """Put on what is not on already, and take off what is too much."""
+        gl, old = self.driver, self._dressing
+        self._dressing = new
+        if old is None:
+            old = _Dressing(0, (), self._viewport, None)
+            if new.scissor is not None:
+                gl.glDisable(_SCISSOR_TEST)
+        for capability in old.enables:
+            if capability not in new.enables:
+                gl.glDisable(capability)
+        for capability in new.enables:
+            if capability not in old.enables:
+                gl.glEnable(capability)
+        if new.viewport != old.viewport:
+            gl.glViewport(*new.viewport)
+        if new.program != old.program:
+            gl.glUseProgram(new.program or self._programs_own)
 
-    def _enables(self, recipe: Recipe, placement: Placement) -> tuple[int, ...]:
-        lighting = recipe.scene.lighting
-        wanted = [GL_CLIP_PLANE0 + i for i in (*recipe.clip_distances, *recipe.side_distances)]
-        if lighting is not None and lighting.two_sided:
-            wanted.append(_VERTEX_PROGRAM_TWO_SIDE)
-        if lighting is not None and lighting.separate_specular and not recipe.scene.secondary_color:
-            wanted.append(GL_COLOR_SUM)
-        if recipe.scene.point_attenuation:
-            wanted.append(_PROGRAM_POINT_SIZE)
-        return (*wanted, *self._discard(placement))
-
-    def _discard(self, placement: Placement) -> tuple[int, ...]:
-        left_out = self._edges.empty or (self._hidden(placement) and not self._raster)
-        return (_RASTERIZER_DISCARD,) if left_out else ()
-
-    def _hidden(self, placement: Placement) -> bool:
-        return placement.hud and self._options.hud == "off"
-
-    def _bind(self, recipe: Recipe, placement: Placement) -> int:
-        fragments = self.own.fragments
-        programs = self._programs if fragments is None else fragments.programs
-        program = programs.get(recipe)
-        if program is None:
-            program = programs[recipe] = self._build(recipe)
-        self.driver.glUseProgram(program.name)
-        if fragments is not None:
-            fragments.send_to(program)
-        if recipe.patch is not None:
-            program.set("domeDetail", (self._detail,))
-        for name, values in self._uniforms(recipe.mapping, placement):
-            program.set(name, values)
-        return program.name
-
-    def _build(self, recipe: Recipe) -> Program:
-        shaders = self.own.fragments.shaders if self.own.fragments else ()
-        if recipe.patch is None:
-            return Program(self.driver, compose(recipe), attached=shaders)
-        stages = compose_tessellated(recipe)
-        return Program(
-            self.driver,
-            stages.vertex,
-            control=stages.control,
-            evaluation=stages.evaluation,
-            attached=shaders,
-        )
-
-    def _uniforms(self, mapping: Mapping, placement: Placement) -> list[tuple[str, tuple[float, ...]]]:
-        uniforms: list[tuple[str, tuple[float, ...]]] = [("domeLens", self.lens.uniform)]
-        if mapping.place == "panel" or mapping.sides:
-            uniforms.append(("domeEdges", self._edges.bounds))
-        if mapping.place != "modelview":
-            uniforms.append(("domeView", placement.view))
-        if mapping.place != "panel" and mapping.method == "vertex":
-            uniforms.append(("domeDepth", placement.depth))
-            if mapping.wide:
-                uniforms.append(("domeRim", (-float(np.cos(np.radians(self._options.fov / 2))),)))
-        if mapping.tilted:
-            tilt = np.radians(self._options.tilt)
-            uniforms.append(("domeTilt", (float(np.cos(tilt)), float(np.sin(tilt)))))
-        return uniforms
+    @property
+    def _programs_own(self) -> int:
+        """What is bound where the dome's program is not, as far as the dome binds it."""
+        return self.own.fragments.name if self.own.fragments else 0
 
 
 ContextMaker = Callable[[Options, Frame, Driver], DomeContext]

@@ -54,8 +54,8 @@ class View:
         """(3,): where a point of the window is seen, in eye space; its z is -1."""
         vx, vy, w, h = self.viewport
         window = [2 * (x - vx) / w - 1, 2 * (y - vy) / h - 1, 1.0]
-        found: NDArray[np.float64] = np.linalg.solve(self.camera[_CAMERA, :3], window)
-        return found / -found[2]
+        found = np.asarray(np.linalg.solve(self.camera[_CAMERA, :3], window), np.float64)
+        return np.asarray(found / -found[2], np.float64)
 
     def distance(self, depth: float, direction: NDArray[np.float64]) -> float:
         """How far away a point of this depth, 0 to 1, is in a direction whose z is -1."""

@@ -20,16 +20,18 @@ GL_TEXTURE_GEN_S = 0x0C60
 GL_FOG, GL_COLOR_SUM, GL_CLIP_PLANE0 = 0x0B60, 0x8458, 0x3000
 
 GROUP_OF: dict[int, str] = {
-    **dict.fromkeys((GL_LIGHTING, GL_COLOR_MATERIAL, GL_NORMALIZE, GL_RESCALE_NORMAL), "lighting"),
+    GL_LIGHTING: "lit",
+    **dict.fromkeys((GL_COLOR_MATERIAL, GL_NORMALIZE, GL_RESCALE_NORMAL), "lighting"),
     **{GL_LIGHT0 + i: "lighting" for i in range(8)},
-    **dict.fromkeys(GL_TEXTURES, "textures"),
+    **dict.fromkeys(GL_TEXTURES, "textured"),
     **{GL_TEXTURE_GEN_S + i: "textures" for i in range(4)},
     **dict.fromkeys((GL_FOG, GL_COLOR_SUM), "rest"),
     **{GL_CLIP_PLANE0 + i: "rest" for i in range(8)},
 }
 """The group that glEnable or glDisable of a capability touches; other capabilities touch none."""
 
-GROUPS = frozenset(("lighting", "textures", "rest"))
+GROUPS = frozenset(("lit", "lighting", "textured", "textures", "rest"))
+"""lit and textured: only whether lighting and textures are enabled; lighting and textures: all about them."""
 
 _LIGHT_MODEL_TWO_SIDE, _LIGHT_MODEL_LOCAL_VIEWER, _LIGHT_MODEL_COLOR_CONTROL = 0x0B52, 0x0B51, 0x81F8
 _SEPARATE_SPECULAR = 0x81FA
@@ -54,6 +56,8 @@ _TEXGENS: dict[int, Texgen] = {
     0x8512: "reflection",
     0x8511: "normal",
 }
+_MOST = 1000
+"""So many scenes are remembered."""
 _IDENTITY = (1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0)
 
 
@@ -62,10 +66,16 @@ class SceneState:
 
     def __init__(self, driver: Driver) -> None:
         self._driver = driver
+        self._lit = False
         self._lighting: Lighting | None = None
+        """As it is, or would be, while lighting is enabled; None: not asked for yet."""
         self._normals: Literal["plain", "rescaled", "unit"] = "plain"
         self._textures: tuple[Texture, ...] = ()
+        self._units: dict[int, Texture] = {}
+        """As each unit is, or would be, while a texture is enabled; without those not asked for yet."""
         self._rest = Scene()
+        self._scene: Scene | None = None
+        self._scenes: dict[tuple[object, ...], Scene] = {}
         self.stale = set(GROUPS)
         self.vertex_material: Face | None = None
         """The face whose material comes with each vertex of the next draw."""
@@ -75,16 +85,39 @@ class SceneState:
         """Units whose coordinates a fragment shader reads, though none of their textures need be enabled."""
 
     def scene(self) -> Scene:
-        """What the program has enabled now."""
-        if "lighting" in self.stale:
-            self._ask_lighting()
-        if "textures" in self.stale:
+        """What the program has enabled now; the same object for the same answer."""
+        if self._scene is None or self.stale:
+            self._ask()
+            self._scene = self._known()
+        return self._scene
+
+    def _ask(self) -> None:
+        stale = self.stale
+        if "lighting" in stale:
+            self._lighting = None
+            self._normals = self._ask_normals()
+        if "lighting" in stale or "lit" in stale:
+            self._lit = bool(self._driver.glIsEnabled(GL_LIGHTING))
+        if self._lit and self._lighting is None:
+            self._lighting = self._ask_lighting()
+        if "textures" in stale:
+            self._units.clear()
+        if "textures" in stale or "textured" in stale:
             self._textures = self._ask_textures()
-        if "rest" in self.stale:
+        if "rest" in stale:
             self._rest = self._ask_rest()
-        self.stale.clear()
-        return Scene(
-            lighting=self._lighting,
+        stale.clear()
+
+    def _known(self) -> Scene:
+        lighting = self._lighting if self._lit else None
+        key = (lighting, self._normals, self._textures, self._rest)
+        known = self._scenes.get(key)
+        if known is not None:
+            return known
+        if len(self._scenes) >= _MOST:
+            self._scenes.clear()
+        found = Scene(
+            lighting=lighting,
             normals=self._normals,
             textures=self._textures,
             fog=self._rest.fog,
@@ -92,20 +125,18 @@ class SceneState:
             secondary_color=self._rest.secondary_color,
             point_attenuation=self._rest.point_attenuation,
         )
+        self._scenes[key] = found
+        return found
 
-    def _ask_lighting(self) -> None:
+    def _ask_normals(self) -> Literal["plain", "rescaled", "unit"]:
         gl = self._driver
-        self._normals = (
-            "unit"
-            if gl.glIsEnabled(GL_NORMALIZE)
-            else "rescaled"
-            if gl.glIsEnabled(GL_RESCALE_NORMAL)
-            else "plain"
-        )
-        if not gl.glIsEnabled(GL_LIGHTING):
-            self._lighting = None
-            return
-        self._lighting = Lighting(
+        if gl.glIsEnabled(GL_NORMALIZE):
+            return "unit"
+        return "rescaled" if gl.glIsEnabled(GL_RESCALE_NORMAL) else "plain"
+
+    def _ask_lighting(self) -> Lighting:
+        gl = self._driver
+        return Lighting(
             lights=tuple(self._light(i) for i in range(8) if gl.glIsEnabled(GL_LIGHT0 + i)),
             two_sided=bool(gl.integer(_LIGHT_MODEL_TWO_SIDE)),
             local_viewer=bool(gl.integer(_LIGHT_MODEL_LOCAL_VIEWER)),
@@ -145,10 +176,13 @@ class SceneState:
         gl = self._driver
         if unit not in self.read_units and not any(gl.glIsEnabled(target) for target in GL_TEXTURES):
             return []
+        if unit in self._units:
+            return [self._units[unit]]
         s, t, r, q = (self._texgen(GL_TEXTURE_GEN_S + axis, 0x2000 + axis) for axis in range(4))
         matrix = (c_float * 16)()
         gl.glGetFloatv(_TEXTURE_MATRIX, matrix)
-        return [Texture(unit, (s, t, r, q), tuple(matrix) != _IDENTITY)]
+        self._units[unit] = Texture(unit, (s, t, r, q), tuple(matrix) != _IDENTITY)
+        return [self._units[unit]]
 
     def _texgen(self, capability: int, coordinate: int) -> Texgen | None:
         if not self._driver.glIsEnabled(capability):

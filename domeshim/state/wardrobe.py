@@ -1,0 +1,159 @@
+"""The dome's programs of one GL context, each with what must be on while it draws; found again at once."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from domeshim.driver import Driver
+from domeshim.lens.models import Lens
+from domeshim.options import Options
+from domeshim.shading.compose import compose
+from domeshim.shading.fragments import FragmentStage
+from domeshim.shading.program import Program
+from domeshim.shading.recipe import Mapping, Patch, Recipe, Scene
+from domeshim.shading.tessellation import compose_tessellated
+from domeshim.state.placement import Placement
+from domeshim.state.scene import GL_CLIP_PLANE0, GL_COLOR_SUM
+from domeshim.state.scissor import Edges
+
+_VERTEX_PROGRAM_TWO_SIDE, _PROGRAM_POINT_SIZE, _RASTERIZER_DISCARD = 0x8643, 0x8642, 0x8C89
+_SHADE_MODEL, _FLAT = 0x0B54, 0x1D00
+_MOST = 1000
+"""So many outfits are remembered."""
+
+
+@dataclass(frozen=True)
+class Look:
+    """All that decides which program draws, and its uniforms."""
+
+    placement: Placement
+    scene: Scene
+    edges: Edges
+    patch: Patch
+    raster: bool
+    fragments: FragmentStage | None
+
+
+@dataclass
+class Outfit:
+    """A program of the dome's, and the capabilities that it needs."""
+
+    program: Program
+    mapping: Mapping
+    scene: Scene
+    """Kept: outfits are found by its identity."""
+    enables: tuple[int, ...]
+    sent: tuple[Placement, Edges, float] | None = None
+    """What its uniforms say."""
+
+
+class Wardrobe:
+    """Makes and remembers programs."""
+
+    def __init__(self, driver: Driver, options: Options, lens: Lens) -> None:
+        self._driver = driver
+        self._options = options
+        self._lens = lens
+        self._programs: dict[Recipe, Program] = {}
+        self._outfits: dict[tuple[object, ...], Outfit] = {}
+
+    def outfit(self, look: Look) -> Outfit:
+        """What to put on for a draw."""
+        placement, edges = look.placement, look.edges
+        flat = look.patch is not None and self._driver.integer(_SHADE_MODEL) == _FLAT
+        hidden = self.hides(placement)
+        if look.fragments is not None:
+            return self._make(look, flat=flat, hidden=hidden)
+        key = (id(look.scene), placement.place, edges.inner, edges.empty, look.patch, look.raster, flat, hidden)
+        found = self._outfits.get(key)
+        if found is None:
+            if len(self._outfits) >= _MOST:
+                self._outfits.clear()
+            found = self._outfits[key] = self._make(look, flat=flat, hidden=hidden)
+        return found
+
+    def hides(self, placement: Placement) -> bool:
+        """The user wants nothing of what is drawn there."""
+        return placement.hud and self._options.hud == "off"
+
+    def discard(self, look: Look) -> tuple[int, ...]:
+        """The capability that keeps all from being drawn, where it shall not be."""
+        left_out = look.edges.empty or (self.hides(look.placement) and not look.raster)
+        return (_RASTERIZER_DISCARD,) if left_out else ()
+
+    def send(self, outfit: Outfit, look: Look, detail: float) -> None:
+        """Give the outfit's program, which is bound, its uniforms; detail: pieces that an arc of one radian needs."""
+        if look.fragments is not None:
+            look.fragments.send_to(outfit.program)
+        sent = outfit.sent
+        if sent and sent[0] is look.placement and sent[1] is look.edges and sent[2] == detail:
+            return
+        outfit.sent = (look.placement, look.edges, detail)
+        if look.patch is not None:
+            outfit.program.set("domeDetail", (detail,))
+        for name, values in self._uniforms(outfit.mapping, look):
+            outfit.program.set(name, values)
+
+    def _make(self, look: Look, *, flat: bool, hidden: bool) -> Outfit:
+        recipe = self._recipe(look, flat=flat, hidden=hidden)
+        programs = self._programs if look.fragments is None else look.fragments.programs
+        program = programs.get(recipe)
+        if program is None:
+            program = programs[recipe] = self._build(recipe, look.fragments)
+        return Outfit(program, recipe.mapping, look.scene, (*_enables(recipe), *self.discard(look)))
+
+    def _recipe(self, look: Look, *, flat: bool, hidden: bool) -> Recipe:
+        place = look.placement.place
+        paper = self._options.method == "paper" and place != "panel"
+        mapping = Mapping(
+            method="paper" if paper else "vertex",
+            lens=self._lens.name,
+            place=place,
+            tilted=self._options.tilt != 0,
+            wide=self._options.fov > 180,
+            sides=() if place == "panel" else look.edges.inner,
+            raster=None if not look.raster else "nowhere" if hidden else "point",
+        )
+        return Recipe(mapping, look.scene, look.patch, flat=flat)
+
+    def _build(self, recipe: Recipe, fragments: FragmentStage | None) -> Program:
+        shaders = fragments.shaders if fragments else ()
+        if recipe.patch is None:
+            return Program(self._driver, compose(recipe), attached=shaders)
+        stages = compose_tessellated(recipe)
+        return Program(
+            self._driver,
+            stages.vertex,
+            control=stages.control,
+            evaluation=stages.evaluation,
+            attached=shaders,
+        )
+
+    def _uniforms(self, mapping: Mapping, look: Look) -> list[tuple[str, tuple[float, ...]]]:
+        uniforms: list[tuple[str, tuple[float, ...]]] = [("domeLens", self._lens.uniform)]
+        if mapping.place == "panel" or mapping.sides:
+            uniforms.append(("domeEdges", look.edges.bounds))
+        if mapping.place != "modelview":
+            uniforms.append(("domeView", look.placement.view))
+        if mapping.place != "panel" and mapping.method == "vertex":
+            uniforms.append(("domeDepth", look.placement.depth))
+            if mapping.wide:
+                uniforms.append(("domeRim", (-float(np.cos(np.radians(self._options.fov / 2))),)))
+        if mapping.tilted:
+            tilt = np.radians(self._options.tilt)
+            uniforms.append(("domeTilt", (float(np.cos(tilt)), float(np.sin(tilt)))))
+        return uniforms
+
+
+def _enables(recipe: Recipe) -> tuple[int, ...]:
+    lighting = recipe.scene.lighting
+    wanted = [GL_CLIP_PLANE0 + i for i in (*recipe.clip_distances, *recipe.side_distances)]
+    if lighting is not None and lighting.two_sided:
+        wanted.append(_VERTEX_PROGRAM_TWO_SIDE)
+    if lighting is not None and lighting.separate_specular and not recipe.scene.secondary_color:
+        wanted.append(GL_COLOR_SUM)
+    if recipe.scene.point_attenuation:
+        wanted.append(_PROGRAM_POINT_SIZE)
+    return tuple(wanted)
