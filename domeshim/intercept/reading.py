@@ -42,7 +42,8 @@ def read_pixels(dome: Dome, original: Call) -> Call:
     """glReadPixels in the program's window coordinates.
 
     Depth: each pixel's is found on the dome and given as the monitor's depth buffer would hold it, so that
-    gluUnProject leads to the point that is seen there; where nothing was drawn it is the clear value. Pixels
+    gluUnProject leads to the point that is seen there, to about tolerance / disc radius of its distance (the
+    chords of bent edges lie that much nearer); where nothing was drawn it is the clear value. Pixels
     outside of the program's window ask for directions beyond its view, and are answered as well.
 
     Colours, up to PICKED pixels wide and high: the frame's nearest pixel for each, never a blend of several.
@@ -69,7 +70,7 @@ def read_pixels(dome: Dome, original: Call) -> Call:
             return original(*pixels[0, 0].tolist(), 1, 1, format, *args, **named)
         gl = context.driver
         with _plain_transfer(gl):
-            values = _depths(context, area, pixels) if kind == _DEPTH_COMPONENT else _colours(context, pixels)
+            values = _depths(context, pixels) if kind == _DEPTH_COMPONENT else _colours(context, pixels)
             framebuffer, texture = _stored(gl, values)
         try:
             gl.glBindFramebuffer(_READ_FRAMEBUFFER, framebuffer)
@@ -121,7 +122,7 @@ def _colours(context: DomeContext, pixels: Pixels) -> NDArray[Any]:
     return _gathered(context, pixels, _RGBA, np.round(255 * cleared).astype(np.uint8))
 
 
-def _depths(context: DomeContext, area: tuple[int, int, int, int], pixels: Pixels) -> NDArray[Any]:
+def _depths(context: DomeContext, pixels: Pixels) -> NDArray[Any]:
     """(height, width) single-precision depths of the monitor; the clear value where nothing is."""
     gl, sight = context.driver, context.sight
     cleared = np.float32(gl.doubles(_DEPTH_CLEAR_VALUE, 1)[0])
@@ -131,8 +132,9 @@ def _depths(context: DomeContext, area: tuple[int, int, int, int], pixels: Pixel
     if not context.placer.has_perspective or near == far:
         return np.where(seen, found, cleared)
     depths = (found[seen].astype(np.float64) - near) / (far - near)
+    directions = sight.directions_on_dome(pixels[seen] + 0.5)
     found[~seen] = cleared
-    found[seen] = near + (far - near) * sight.monitor_depth(depths, sight.directions(_places(area)[seen]))
+    found[seen] = near + (far - near) * sight.monitor_depth(depths, directions)
     return found
 
 

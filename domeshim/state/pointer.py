@@ -47,12 +47,7 @@ class Sight:
         from its axis). Outside the disc the rim's nearest place counts: nothing is drawn there, and a lens
         need not be known beyond its rim.
         """
-        x, y, side, _ = self.frame.square
-        disc = (np.asarray(places, float) - (x, y)) * (2 / side) - 1
-        radius = np.hypot(disc[..., 0], disc[..., 1])
-        within = self.rim * (1 - 1e-9)
-        disc = disc * (within / np.maximum(radius, within))[..., None]
-        return self._seen(direction_of(disc, self.lens, self.tilt))
+        return self._seen(self.directions_on_dome(places))
 
     def to_frame(self, places: Floats) -> Floats:
         """Places of the program's window -> of the frame, also beyond the disc's rim."""
@@ -62,13 +57,21 @@ class Sight:
         return found
 
     def directions(self, places: Floats) -> Floats:
-        """Places of the program's window -> (..., 3) where they are seen, unit vectors in eye space."""
+        """Places of the program's window -> (..., 3) where they are seen, in eye space."""
         x, y, w, h = self.view.viewport
         window = (np.asarray(places, float) - (x, y)) * (2 / w, 2 / h) - 1
         clip = np.concatenate([window, np.ones_like(window[..., :1])], -1)
-        found = clip @ np.linalg.inv(self.view.camera[_CAMERA, :3]).T
-        unit: Floats = found / np.linalg.norm(found, axis=-1, keepdims=True)
-        return unit
+        found: Floats = clip @ np.linalg.inv(self.view.camera[_CAMERA, :3]).T
+        return found
+
+    def directions_on_dome(self, places: NDArray[np.floating]) -> Floats:
+        """Places of the frame -> (..., 3) what is seen there, unit vectors in eye space."""
+        x, y, side, _ = self.frame.square
+        disc = (np.asarray(places, float) - (x, y)) * (2 / side) - 1
+        radius = np.hypot(disc[..., 0], disc[..., 1])
+        within = self.rim * (1 - 1e-9)
+        disc = disc * (within / np.maximum(radius, within))[..., None]
+        return direction_of(disc, self.lens, self.tilt)
 
     def within(self, places: NDArray[np.floating]) -> NDArray[np.bool_]:
         """Which places of the frame lie on the dome's picture: (...)."""
