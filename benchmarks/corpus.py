@@ -34,6 +34,8 @@ from domeshim.measure.reference import (
 TIMEOUT = 60.0
 AT_ONCE = 2
 OUTPUT = Path(__file__).parents[1] / "docs" / "corpus.md"
+ARGUMENTS = {"proesch/stereo/stereoDemo.py": ("ANAGLYPH",)}
+"""What those programs must be told that do not run without."""
 STARTS = re.compile(r"mainloop|MainLoop|__main__")
 """What a module's text has that can be started as a program."""
 
@@ -41,54 +43,59 @@ STARTS = re.compile(r"mainloop|MainLoop|__main__")
 def measure(program: Path, name: str, display: str) -> Row:
     """Run one program natively and on the dome, and compare the pictures."""
     row = Row(name)
-    runs = StockRuns(display, program, frame=FRAME, size=SIZE, timeout=TIMEOUT)
+    runs = StockRuns(display, program, ARGUMENTS.get(name, ()), FRAME, SIZE, TIMEOUT)
     if not STARTS.search(program.read_text(errors="replace")):
         return replace(row, is_program=False)
     try:
         stock = runs.monitor()
     except NoPictureError as error:
         return replace(row, native=str(error), is_program=not error.windowless)
-    row = replace(row, stock=stock, on_screen=run_on_screen(program, display))
-    row = replace(row, monitor=compare_monitor(program, stock.picture))
-    if not row.flat:
-        row = compare_dome(row, program, runs.dome())
-    elif isinstance(taken := capture(program, "dome", SIZE), str):
+    row = replace(row, stock=stock, on_screen=run_on_screen(program, display, runs.arguments))
+    row = replace(row, monitor=compare_monitor(runs, stock.picture))
+    if not (row.flat or row.split):
+        row = compare_dome(row, runs)
+    elif isinstance(taken := capture(runs, "dome", SIZE), str):
         row = replace(row, dome=taken)
     if row.fails:
         row = replace(row, repeats=np.array_equal(runs.monitor().picture, stock.picture))
     return row
 
 
-def compare_monitor(program: Path, stock: Picture) -> float | str:
+def compare_monitor(runs: StockRuns, stock: Picture) -> float | str:
     """The share of wrong pixels of our monitor picture, or why there is none."""
-    taken = capture(program, "monitor", SIZE)
+    taken = capture(runs, "monitor", SIZE)
     return taken if isinstance(taken, str) else match(stock, taken).share
 
 
-def compare_dome(row: Row, program: Path, reference: Picture) -> Row:
+def compare_dome(row: Row, runs: StockRuns) -> Row:
     """The row with the dome's share, and with that of the finer picture where the first is over the limit."""
-    taken = capture(program, "dome", SIZE)
+    taken = capture(runs, "dome", SIZE)
     if isinstance(taken, str):
         return replace(row, dome=taken)
-    row = replace(row, dome=match_discs(reference, taken).share)
-    if match_discs(reference, taken).share <= LIMIT:
-        return row
-    taken = capture(program, "dome", FINE_SIZE)
+    try:
+        reference = runs.dome()
+    except NoPictureError as error:
+        return replace(row, dome=f"no reference: {error}")
+    share = match_discs(reference, taken).share
+    if share <= LIMIT:
+        return replace(row, dome=share)
+    taken = capture(runs, "dome", FINE_SIZE)
     if isinstance(taken, str):
-        return replace(row, fine=taken)
+        return replace(row, dome=share, fine=taken)
     smaller = np.asarray(Image.fromarray(taken).resize((SIZE, SIZE), Image.Resampling.BOX))
-    return replace(row, fine=match_discs(reference, smaller).share)
+    return replace(row, dome=share, fine=match_discs(reference, smaller).share)
 
 
-def capture(program: Path, mode: str, size: int) -> Picture | str:
+def capture(runs: StockRuns, mode: str, size: int) -> Picture | str:
     """Our picture of a program, without its HUD on the dome, or why there is none."""
     with tempfile.TemporaryDirectory() as folder:
         output = Path(folder) / "picture.png"
         wanted = ["--mode", mode, "--frame", str(FRAME), "--size", str(size), "--output", str(output)]
-        command = [sys.executable, "-m", "domeshim", "capture", *wanted, "--hud", "off", str(program)]
+        program = [str(runs.program), *runs.arguments]
+        command = [sys.executable, "-m", "domeshim", "capture", *wanted, "--hud", "off", *program]
         environment = stock_environment("")
         try:
-            ended = run(command, program, environment, 2 * TIMEOUT)
+            ended = run(command, runs.program, environment, 2 * TIMEOUT)
         except subprocess.TimeoutExpired:
             return f"no picture within {2 * TIMEOUT:g} seconds"
         if ended.returncode or not output.exists():
@@ -96,11 +103,11 @@ def capture(program: Path, mode: str, size: int) -> Picture | str:
         return np.asarray(Image.open(output).convert("RGB"))
 
 
-def run_on_screen(program: Path, display: str) -> str:
+def run_on_screen(program: Path, display: str, arguments: tuple[str, ...]) -> str:
     """Run DOME=1 python PROGRAM for a while; what went wrong, or nothing."""
     environment = {**stock_environment(display), "DOME": "1"}
     try:
-        ended = run([sys.executable, str(program)], program, environment, ON_SCREEN)
+        ended = run([sys.executable, str(program), *arguments], program, environment, ON_SCREEN)
     except subprocess.TimeoutExpired as running:
         words = running.stderr or b""
         return last_line(words, 0) if b"Traceback" in words else ""

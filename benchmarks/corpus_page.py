@@ -29,8 +29,8 @@ Pictures of {SIZE} x {SIZE} pixels, number {FRAME} of each program; limit {LIMIT
 
 - {{programs}} programs, {{run}} of which run natively on this Python.
 - {{on_screen}} of those {{run}} run with DOME=1.
-- {{judged}} of them set a perspective, so that the reference can judge them: {{within}} are within the limit,
-  {{lines}} over it for their thin lines alone.
+- {{judged}} of them set a perspective in one viewport, so that the reference can judge them: {{within}} are
+  within the limit, {{lines}} over it for their thin lines alone.
 - {{same}} of the {{run}} show stock PyOpenGL's picture under `--mode monitor`.
 
 ## How to read the table
@@ -48,6 +48,7 @@ Pictures of {SIZE} x {SIZE} pixels, number {FRAME} of each program; limit {LIMIT
   freeglut.
 - *flat*: it sets no perspective by gluPerspective or glFrustum, so that the cube's faces say nothing of it;
   the dome column is empty, or says why there was no picture.
+- *several viewports*: it shows several perspectives side by side; a cube's face has room for one.
 - *fog*: stock GL reckons fog by depth, which differs from face to face; the dome by distance.
 - *another picture at each run*: two native runs differ, so there is nothing to hold ours against.
 
@@ -92,6 +93,11 @@ class Row:
         return self.stock is not None and not self.stock.perspectives
 
     @property
+    def split(self) -> bool:
+        """It sets perspectives in several viewports, of which the cube's faces know nothing."""
+        return self.stock is not None and self.stock.viewports > 1
+
+    @property
     def fails(self) -> bool:
         """It runs natively, and not on the dome, or its picture is wrong."""
         shares = (self.monitor, self.dome)
@@ -119,6 +125,8 @@ def remark(row: Row) -> str:
     remarks = []
     if row.flat:
         remarks.append("flat")
+    if row.split:
+        remarks.append("several viewports")
     if not row.repeats:
         remarks.append("another picture at each run")
     elif over and isinstance(row.fine, float) and row.fine <= LIMIT:
@@ -160,7 +168,7 @@ def page(rows: list[Row]) -> str:
     """The whole page."""
     programs = [row for row in rows if row.is_program]
     run = [row for row in programs if row.native is None]
-    judged = [row for row in run if not row.flat]
+    judged = [row for row in run if not (row.flat or row.split)]
     within = [row for row in judged if isinstance(row.dome, float) and row.dome <= LIMIT]
     lines = [row for row in judged if remark(row) == "thin lines"]
     same = [row for row in run if isinstance(row.monitor, float) and row.monitor <= LIMIT]

@@ -53,6 +53,8 @@ class Run:
     frames: int = 0
     reads: int = 0
     perspectives: int = 0
+    viewports: set[tuple[int, ...]] = field(default_factory=set)
+    """Those that were set as a perspective was."""
     windows: int = 0
     displaying: bool = False
     finished: bool = False
@@ -157,9 +159,9 @@ def rotation(face: str) -> np.ndarray[Any, Any]:
 
 
 def nowhere() -> np.ndarray[Any, Any]:
-    """A matrix that takes everything to a place outside of the view."""
-    matrix = np.zeros((4, 4))
-    matrix[:, 3] = 3.0, 3.0, 3.0, 1.0
+    """A matrix that takes everything to a place outside of the view, and can be undone, as gluUnProject wants."""
+    matrix = np.diag([1e-9, 1e-9, 1e-9, 1.0])
+    matrix[:3, 3] = 3.0
     return matrix
 
 
@@ -174,6 +176,7 @@ def replace_windows(run: Run) -> None:
     def counted(name: str) -> Callable[..., Any]:
         def perspective(*arguments: Any) -> Any:
             run.perspectives += 1
+            run.viewports.add(tuple(map(int, GL.glGetIntegerv(GL.GL_VIEWPORT))))
             return run.originals[name](*arguments)
 
         return perspective
@@ -273,6 +276,7 @@ def write_picture(run: Run) -> None:
         run.output,
         picture=picture,
         perspectives=run.perspectives,
+        viewports=len(run.viewports),
         fog=bool(GL.glIsEnabled(GL.GL_FOG)),
         renderer=GL.glGetString(GL.GL_RENDERER).decode(),
         version=GL.glGetString(GL.GL_VERSION).decode(),

@@ -1,7 +1,7 @@
 """An independent dome picture of a program: six runs with stock PyOpenGL and freeglut, put together in numpy.
 
 Needs Xvfb and freeglut, and scipy beside what the package itself needs. It knows of perspectives that a
-program sets by gluPerspective and glFrustum; for a program without any it has nothing to say.
+program sets by gluPerspective and glFrustum, in one viewport; for other programs it has nothing to say.
 """
 
 from __future__ import annotations
@@ -43,6 +43,8 @@ class StockPicture:
     picture: Picture
     perspectives: int
     """How often the program set a perspective by gluPerspective or glFrustum."""
+    viewports: int
+    """In how many viewports it did; the dome's reference shows the views of several one above the other."""
     fog: bool
     """Fixed-function fog was on at the picture's end."""
     renderer: str
@@ -102,6 +104,7 @@ def _load(path: Path) -> StockPicture:
         return StockPicture(
             saved["picture"],
             int(saved["perspectives"]),
+            int(saved["viewports"]),
             bool(saved["fog"]),
             str(saved["renderer"]),
             str(saved["version"]),
