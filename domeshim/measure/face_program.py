@@ -159,7 +159,7 @@ def rotation(face: str) -> np.ndarray[Any, Any]:
 
 
 def nowhere() -> np.ndarray[Any, Any]:
-    """A matrix that takes everything to a place outside of the view, and can be undone, as gluUnProject wants."""
+    """A matrix, invertible as gluUnProject wants it, that takes everything to a place outside of the view."""
     matrix = np.diag([1e-9, 1e-9, 1e-9, 1.0])
     matrix[:3, 3] = 3.0
     return matrix
