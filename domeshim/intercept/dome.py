@@ -194,6 +194,9 @@ class Dome:
         context, building = current.context, self.building
         self._session.drawing()
         if building is not None:
+            if any(np.isnan(values[0]).any() for values in run.attributes.values()):
+                current.lists.keep(lambda: self.draw_run(run, extent))
+                return
             if building.meshes < _MESHES_OF_A_LIST and context.may_subdivide:
                 self.keep_mesh(run)
                 return

@@ -87,7 +87,7 @@ def _normals(surface: Surface, part: Part) -> Numbers:
 
 def _carried(normals: NDArray[np.float32]) -> NDArray[np.float32]:
     """Each nan row becomes the last row before it that is none; the first rows may stay nan."""
-    given: NDArray[np.bool_] = ~np.isnan(normals).any(1)
+    given = ~np.isnan(normals.sum(1))
     source = np.maximum.accumulate(np.where(given, np.arange(len(normals)), 0))
     carried: NDArray[np.float32] = np.where(given[source, None], normals[source], np.float32(np.nan))
     return carried

@@ -1,7 +1,8 @@
 """Sphere, cylinder and disk as the SGI and Mesa GLU (9.0) draws them, strip by strip and in its order.
 
 What they draw was taken down from that library call by call. Where it reads memory that it never wrote (the
-normals of flat-shaded points and silhouettes) the values here are those of the nearest case that it defines.
+normals of flat-shaded points and silhouettes, and of the lower pole where there are more stacks than slices)
+the values here are those of the nearest case that it defines.
 """
 
 from __future__ import annotations
