@@ -71,6 +71,8 @@ _SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "glWindowPos3f": (None, (_FLOAT,) * 3),
     "glRasterPos2f": (None, (_FLOAT,) * 2),
     "glReadPixels": (None, (_INT, _INT, _INT, _INT, _ENUM, _ENUM, _POINTER)),
+    "glDrawPixels": (None, (_INT, _INT, _ENUM, _ENUM, _POINTER)),
+    "glPixelZoom": (None, (_FLOAT, _FLOAT)),
     "glPixelStorei": (None, (_ENUM, _INT)),
     "glPixelTransferf": (None, (_ENUM, _FLOAT)),
     "glPushClientAttrib": (None, (c_uint,)),

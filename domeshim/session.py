@@ -99,6 +99,11 @@ class Session:
         return self._backend
 
     @property
+    def window(self) -> Window | None:
+        """The window that the program's GL calls go to."""
+        return self._window
+
+    @property
     def backend_given(self) -> bool:
         """A command chose where windows come from; those of any toolkit shall come from there."""
         return self._backend_factory is not None

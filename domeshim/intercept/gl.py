@@ -14,6 +14,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from domeshim.draw.accumulation import BUFFER_BIT as ACCUMULATION_BIT
+from domeshim.draw.accumulation import Accumulation
+from domeshim.driver import Driver
 from domeshim.intercept import pixels, reading, recorded, shaders
 from domeshim.intercept.arrays import draw_arrays, draw_elements, draw_range_elements, writes_buffer
 from domeshim.intercept.dome import Dome
@@ -40,7 +43,7 @@ _REST = re.compile(r"gl(Fog(|[fi]v?)|PointParameter(|[fi]v?))")
 _LOADS = re.compile(r"gl(Load|Mult)(Transpose)?Matrix[df]?")
 _GETS = re.compile(r"glGet(Boolean|Double|Float|Integer)(v|)|glIsEnabled")
 _READ_PIXELS = re.compile(r"glReadPixels(b|d|f|i|s|ub|ui|us)?")
-_READS = re.compile(r"glGetHandle|glReadPixels\w*|glCopyTex\w+|glAccum|glClear")
+_READS = re.compile(r"glGetHandle|glReadPixels\w*|glCopyTex\w+")
 _UNIFORMS = re.compile(r"glUniform\w+")
 _RECTS = re.compile(r"glRect[dfis](v?)")
 _UNSEEN = re.compile(r"glGetError|glGetString\w*|glCheckError|glInit\w+")
@@ -81,7 +84,9 @@ def replacements(session: Session, module: ModuleType) -> dict[str, Call]:
 def _frame_calls(session: Session, module: ModuleType) -> dict[str, Call]:
     """The calls by which a picture begins and ends, on the monitor as on the dome."""
     originals = {
-        name: vars(module)[name] for name in ("glFlush", "glFinish", "glClear") if name in vars(module)
+        name: vars(module)[name]
+        for name in ("glFlush", "glFinish", "glClear", "glAccum")
+        if name in vars(module)
     }
 
     def ending(original: Call) -> Call:
@@ -91,16 +96,29 @@ def _frame_calls(session: Session, module: ModuleType) -> dict[str, Call]:
 
         return call
 
+    accumulation = Accumulation(Driver())
+
     def clearing(original: Call) -> Call:
         def call(mask: int) -> None:
             session.clearing()
             original(mask)
+            if mask & ACCUMULATION_BIT and session.window is not None and accumulation.needed:
+                accumulation.clear(session.window, session.window.size)
 
         return call
 
-    return {
-        name: (clearing if name == "glClear" else ending)(original) for name, original in originals.items()
-    }
+    def accumulating(original: Call) -> Call:
+        def call(op: int, value: float) -> None:
+            window = session.window
+            if window is None or not accumulation.needed:
+                original(op, value)
+            else:
+                accumulation.operate(window, window.size, int(op), float(value))
+
+        return call
+
+    makers = {"glClear": clearing, "glAccum": accumulating}
+    return {name: makers.get(name, ending)(original) for name, original in originals.items()}
 
 
 def _dome_call(dome: Dome, name: str, original: Call) -> Call:
@@ -360,6 +378,7 @@ _SPECIAL: Mapping[str, Maker] = {
     "glUniformMatrix4fv": shaders.uniform_matrix,
     "glRenderMode": _render_mode,
     "glClear": kept_in_lists(pixels.clear),
+    "glAccum": kept_in_lists(_read),
 }
 _WRITES_BUFFER = re.compile(
     r"gl(Named)?(BufferData|BufferSubData|BufferStorage)\w*|gl(Unm|M)ap\w*Buffer\w*|glCopy\w*BufferSubData"

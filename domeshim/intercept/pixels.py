@@ -60,7 +60,10 @@ def clear(dome: Dome, original: Call) -> Call:
             return original(mask)
         context.undress()
         if context.scissor_cuts:
-            return _clear_part(dome, context, int(mask))
+            _clear_part(dome, context, int(mask))
+            mask = int(mask) & ~_DRAWN
+            if not mask:
+                return None
         with context.unscissored():
             return original(mask)
 
@@ -74,6 +77,3 @@ _DRAWN = 0x4500
 def _clear_part(dome: Dome, context: DomeContext, mask: int) -> None:
     dome.clearing()
     context.clear_part(mask & _DRAWN)
-    if mask & ~_DRAWN:
-        with context.unscissored():
-            context.driver.glClear(mask & ~_DRAWN)

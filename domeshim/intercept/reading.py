@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from ctypes import byref, c_uint
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from domeshim.draw.transfer import plain_transfer
 from domeshim.intercept.dome import Dome
 
 if TYPE_CHECKING:
@@ -27,13 +27,6 @@ _RGBA, _RGBA8, _DEPTH_COMPONENT32F, _UNSIGNED_BYTE, _FLOAT = 0x1908, 0x8058, 0x8
 _READ_FRAMEBUFFER, _READ_FRAMEBUFFER_BINDING = 0x8CA8, 0x8CAA
 _COLOR_ATTACHMENT, _DEPTH_ATTACHMENT, _TEXTURE_2D, _TEXTURE_MAX_LEVEL = 0x8CE0, 0x8D00, 0x0DE1, 0x813D
 _DEPTH_BITS, _DEPTH_RANGE, _DEPTH_CLEAR_VALUE, _COLOR_CLEAR_VALUE = 0x0D56, 0x0B70, 0x0B73, 0x0C22
-_PIXEL_STORE_BIT, _PIXEL_MODE_AND_TEXTURE_BITS = 0x1, 0x40020
-_PACK_BUFFER, _UNPACK_BUFFER = 0x88EB, 0x88EC
-_PACK_ALIGNMENT, _UNPACK_ALIGNMENT = 0x0D05, 0x0CF5
-_LAYOUT = (*range(0x0CF0, 0x0CF5), *range(0x0D00, 0x0D05))
-"""Byte order, row length and what is skipped, of unpacking and packing."""
-_SCALES, _OFFSETS = (0x0D14, 0x0D18, 0x0D1A, 0x0D1C, 0x0D1E), (0x0D15, 0x0D19, 0x0D1B, 0x0D1D, 0x0D1F)
-_MAP_COLOR = 0x0D10
 _RESOLUTION = 2.0**-22
 """Depths nearer to each other than this are taken for the same."""
 
@@ -69,7 +62,7 @@ def read_pixels(dome: Dome, original: Call) -> Call:
         if kind in (_STENCIL_INDEX, _DEPTH_STENCIL):
             return original(*pixels[0, 0].tolist(), 1, 1, format, *args, **named)
         gl = context.driver
-        with _plain_transfer(gl):
+        with plain_transfer(gl):
             values = _depths(context, pixels) if kind == _DEPTH_COMPONENT else _colours(context, pixels)
             framebuffer, texture = _stored(gl, values)
         try:
@@ -175,25 +168,3 @@ def _stored(gl: Driver, values: NDArray[Any]) -> tuple[c_uint, c_uint]:
     gl.glFramebufferTexture2D(_READ_FRAMEBUFFER, attachment, _TEXTURE_2D, texture, 0)
     gl.glBindFramebuffer(_READ_FRAMEBUFFER, 0)
     return framebuffer, texture
-
-
-@contextmanager
-def _plain_transfer(gl: Driver) -> Iterator[None]:
-    """Pixels go between memory and GL tightly packed and unchanged while this lasts."""
-    gl.glPushClientAttrib(_PIXEL_STORE_BIT)
-    gl.glPushAttrib(_PIXEL_MODE_AND_TEXTURE_BITS)
-    for target in (_PACK_BUFFER, _UNPACK_BUFFER):
-        gl.glBindBuffer(target, 0)
-    for name in _LAYOUT:
-        gl.glPixelStorei(name, 0)
-    for name in (_PACK_ALIGNMENT, _UNPACK_ALIGNMENT):
-        gl.glPixelStorei(name, 1)
-    for name in (_MAP_COLOR, *_OFFSETS):
-        gl.glPixelTransferf(name, 0.0)
-    for name in _SCALES:
-        gl.glPixelTransferf(name, 1.0)
-    try:
-        yield
-    finally:
-        gl.glPopAttrib()
-        gl.glPopClientAttrib()
