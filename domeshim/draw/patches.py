@@ -25,7 +25,7 @@ def kind_of(mode: int) -> Kind:
 
 
 @lru_cache(maxsize=256)
-def corners(mode: int, count: int) -> Indices:
+def corners(mode: int, count: int) -> Indices:  # noqa: PLR0911 - one return a mode
     """The vertices of each primitive of a mode: (n, 1), (n, 2) or (n, 3) indices into its count vertices."""
     i = np.arange(count)
     match mode:

@@ -22,8 +22,8 @@ Floats = NDArray[np.floating]
 def split_wide(piece: Run, corners: int, to_eye: Floats, widest: float) -> Run:
     """The piece with every edge under an angle.
 
-    piece: (n * corners) vertices, primitive after primitive; corners: 2 or 3; to_eye: (4, 4), the piece's space
-    to eye space; widest: radians. What has no finite position is left out.
+    piece: (n * corners) vertices, primitive after primitive; corners: 2 or 3; to_eye: (4, 4), the piece's
+    space to eye space; widest: radians. What has no finite position is left out.
     """
     positions = piece.positions
     if positions.shape[1] == 3:
@@ -49,7 +49,7 @@ def split_wide(piece: Run, corners: int, to_eye: Floats, widest: float) -> Run:
 
 
 def _edges(eye: Floats) -> tuple[Floats, Floats]:
-    """Angle of each edge (corner i to i + 1) and distance of each corner. eye: (m, corners, 4) homogeneous."""
+    """Angle of each edge, corner i to i + 1, and distance of each corner. eye: (m, corners, 4)."""
     points = np.where(eye[..., 3:] < 0, -eye[..., :3], eye[..., :3])
     lengths = np.linalg.norm(points, axis=-1)
     directions = points / np.maximum(lengths, 1e-300)[..., None]

@@ -7,16 +7,16 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from domeshim.draw.arrays import ArrayDraws
 from domeshim.draw.extent import Extent
 from domeshim.draw.listed import ListedMesh
 from domeshim.draw.materials import material_run
 from domeshim.draw.rim import Rim
-from domeshim.draw.subdivide import subdivide, subdivision_of
+from domeshim.draw.subdivide import subdivide
 from domeshim.draw.submit import Submitter
 from domeshim.driver import Driver
-from domeshim.record.arrays import ArrayReader
+from domeshim.record.arrays import ArrayReader, Elements
 from domeshim.record.immediate import Immediate, Run
 from domeshim.record.lists import Building, DisplayLists
 from domeshim.state.context import DomeContext
@@ -58,6 +58,7 @@ class WindowDome:
         self.lists = DisplayLists(driver)
         self.submitter = Submitter(driver)
         self.arrays = ArrayReader(driver)
+        self.array_draws = ArrayDraws(self.context, self.submitter)
         self.rim = Rim(driver)
 
 
@@ -105,12 +106,16 @@ class Dome:
 
     def program_place(self, window: Window, x: float, y: float) -> tuple[float, float]:
         """Where the program would see a place of the frame in its window; pixels, origin at the top left."""
+        if window not in self._windows:
+            return x, y  # its pictures are left as they are
         sight = self._windows[window].context.sight
         place = sight.to_program(np.array([x, sight.frame.size[1] - y]))
         return float(place[0]), float(sight.frame.program_size[1] - place[1])
 
     def frame_place(self, window: Window, x: float, y: float) -> tuple[float, float]:
         """Where a place of the program's window is in the frame; pixels, origin at the top left."""
+        if window not in self._windows:
+            return x, y
         sight = self._windows[window].context.sight
         place = sight.to_frame(np.array([x, sight.frame.program_size[1] - y]))
         return float(place[0]), float(sight.frame.size[1] - place[1])
@@ -166,21 +171,20 @@ class Dome:
         building.meshes += 1
         current.lists.keep_mesh(lambda: ListedMesh(run, current.context, current.submitter, current.lists))
 
-    def draw_arrays(self, mode: int, indices: NDArray[np.integer] | range) -> bool:
+    def draw_arrays(self, mode: int, indices: range | Elements) -> bool:
         """Draw from the program's vertex arrays where that needs more than GL's own draw; False where not."""
         current = self._current
         if current is None:
             return False
-        run = current.arrays.run(mode, indices, current.context.scene.texture_units)
-        if run is None:
+        draw = current.arrays.draw(mode, indices, current.context.scene.texture_units)
+        if draw is None:
             return False
         if self.building is not None:
             if self.building.meshes >= _MESHES_OF_A_LIST:
                 return False
-            self.keep_mesh(run)
+            self.keep_mesh(draw.read())
             return True
-        subdivision = subdivision_of(run, current.context)
-        return subdivision is not None and subdivide(run, current.context, current.submitter, subdivision)
+        return current.array_draws.subdivide(draw)
 
     def draw_run(self, run: Run, extent: Extent | None) -> None:
         """Draw what the program asks for whole, and leave its last attributes current.
@@ -207,7 +211,7 @@ class Dome:
             current.submitter.draw_whole(run)
         current.submitter.make_current(run)
 
-    def read_elements(self, count: int, kind: int, indices: object) -> NDArray[np.integer]:
+    def read_elements(self, count: int, kind: int, indices: object) -> Elements:
         """glDrawElements' indices, wherever they lie."""
         assert self._current is not None
         return self._current.arrays.elements(count, kind, indices)
@@ -215,7 +219,7 @@ class Dome:
     def buffers_changed(self) -> None:
         """The program has written to a buffer or deleted one."""
         if self._current is not None:
-            self._current.arrays.buffers_changed()
+            self._current.array_draws.buffers_changed()
 
     def _flush_materials(self, current: WindowDome) -> None:
         """Draw a run in which materials change inside primitives; in a display list, when it is called."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from ctypes import c_char, c_void_p
 from dataclasses import dataclass
 
@@ -28,6 +28,7 @@ _NORMALISED = ("color", "secondary", "normal")
 _ARRAY_BUFFER, _ARRAY_BUFFER_BINDING, _ELEMENT_BUFFER_BINDING = 0x8892, 0x8894, 0x8895
 _CLIENT_ACTIVE_TEXTURE, _TEXTURE0 = 0x84E1, 0x84C0
 _EDGE_FLAG_ARRAY = 0x8079
+_SAMPLES = 64
 
 
 @dataclass(frozen=True)
@@ -65,49 +66,79 @@ class Array:
     buffer: int
 
 
+@dataclass(frozen=True)
+class Elements:
+    """glDrawElements' indices: in the element buffer at an offset, or given as bytes."""
+
+    count: int
+    type: str
+    buffer: int
+    offset: int
+    data: bytes
+
+
+@dataclass(frozen=True)
+class ArrayDraw:
+    """One draw from arrays, not read yet."""
+
+    key: object
+    """Equal for draws of the same vertices."""
+    buffered: bool
+    """All of it lies in buffers, so that the key tells all; else it samples the program's memory."""
+    read: Callable[[], Run]
+
+
 class ArrayReader:
-    """Reads the arrays of one context; what lies in buffers is kept until a buffer changes."""
+    """Reads the vertex arrays of one context."""
 
     def __init__(self, driver: Driver) -> None:
         self._driver = driver
-        self._kept: dict[object, Run] = {}
 
-    def buffers_changed(self) -> None:
-        """The program has written to a buffer or deleted one."""
-        self._kept.clear()
-
-    def run(self, mode: int, indices: NDArray[np.integer] | range, texture_units: int) -> Run | None:
-        """One draw as a run; None where there are no vertices or an array says which edges show.
-
-        indices: of the vertices in the order of drawing.
-        """
+    def draw(self, mode: int, indices: range | Elements, texture_units: int) -> ArrayDraw | None:
+        """A draw of these vertices; None where there are none or an array says which edges show."""
         gl = self._driver
-        if not len(indices) or not gl.glIsEnabled(_VERTEX.enabled) or gl.glIsEnabled(_EDGE_FLAG_ARRAY):
+        count = len(indices) if isinstance(indices, range) else indices.count
+        if count <= 0 or not gl.glIsEnabled(_VERTEX.enabled) or gl.glIsEnabled(_EDGE_FLAG_ARRAY):
             return None
         arrays = tuple(self._arrays(texture_units))
-        key = (mode, arrays, indices if isinstance(indices, range) else indices.tobytes())
-        run = self._kept.get(key)
-        if run is None:
-            run = self._read(mode, arrays, indices)
-            if all(array.buffer for array in arrays):
-                self._kept[key] = run
-        return run
+        buffered = all(array.buffer for array in arrays)
+        samples = b"" if buffered else self._samples(arrays[0], indices)
+        return ArrayDraw(
+            (mode, arrays, indices, samples),
+            buffered,
+            lambda: self._read(mode, arrays, self._numbers(indices)),
+        )
 
-    def elements(self, count: int, kind: int, indices: object) -> NDArray[np.integer]:
+    def elements(self, count: int, kind: int, indices: object) -> Elements:
         """glDrawElements' indices: an array, bytes, an address, or an offset into the element buffer."""
         dtype = np.dtype(_TYPES[kind])
         buffer = self._driver.integer(_ELEMENT_BUFFER_BINDING)
+        place = indices.value if isinstance(indices, c_void_p) else indices
         if buffer:
-            offset = indices.value if isinstance(indices, c_void_p) else indices
-            data = self._memory(buffer, int(offset or 0), count * dtype.itemsize)  # type: ignore[call-overload]
-        elif isinstance(indices, bytes):
-            data = indices
-        elif isinstance(indices, (c_void_p, int)):
-            address = indices.value if isinstance(indices, c_void_p) else indices
-            data = self._memory(0, address or 0, count * dtype.itemsize)
+            return Elements(count, dtype.str, buffer, int(place or 0), b"")  # type: ignore[call-overload]
+        if isinstance(place, bytes):
+            data = place
+        elif isinstance(place, int) or place is None:
+            data = self._memory(0, place or 0, count * dtype.itemsize)
         else:
-            return np.asarray(indices).ravel()[:count].astype(np.int64)
-        return np.frombuffer(data, dtype, count).astype(np.int64)
+            data = np.asarray(place).ravel()[:count].astype(dtype).tobytes()
+        return Elements(count, dtype.str, 0, 0, data)
+
+    def _numbers(self, indices: range | Elements) -> NDArray[np.integer]:
+        if isinstance(indices, range):
+            return np.arange(indices.start, indices.stop)
+        dtype = np.dtype(indices.type)
+        data = indices.data or self._memory(indices.buffer, indices.offset, indices.count * dtype.itemsize)
+        return np.frombuffer(data, dtype, indices.count).astype(np.int64)
+
+    def _samples(self, positions: Array, indices: range | Elements) -> bytes:
+        """Some of the positions' bytes, to tell whether the program has moved them."""
+        numbers = self._numbers(indices)
+        chosen = numbers[:: max(1, len(numbers) // _SAMPLES)].tolist()
+        if positions.buffer:
+            return b""
+        size = positions.size * np.dtype(positions.type).itemsize
+        return b"".join(ctypes.string_at(positions.pointer + n * positions.stride, size) for n in chosen)
 
     def _arrays(self, texture_units: int) -> Iterator[Array]:
         gl = self._driver
@@ -131,9 +162,9 @@ class ArrayReader:
         stride = gl.integer(names.stride) or size * np.dtype(kind).itemsize
         return Array(name, size, kind, stride, pointer.value or 0, gl.integer(names.buffer))
 
-    def _read(self, mode: int, arrays: tuple[Array, ...], indices: NDArray[np.integer] | range) -> Run:
-        first, last = int(min(indices)), int(max(indices))
-        chosen = np.asarray(indices) - first
+    def _read(self, mode: int, arrays: tuple[Array, ...], indices: NDArray[np.integer]) -> Run:
+        first, last = int(indices.min()), int(indices.max())
+        chosen = indices - first
         values = {array.name: self._values(array, first, last + 1)[chosen] for array in arrays}
         positions = values.pop("vertex")
         if positions.shape[1] == 2:

@@ -104,7 +104,7 @@ class DisplayLists:
         return building
 
     def run(self, name: int, call_own: Callable[[int], object]) -> None:
-        """Call a list; call_own calls one of GL's own. Lists that call each other too often do nothing, as in GL."""
+        """Call a list; call_own calls one of GL's own. Lists nested too deep do nothing, as in GL."""
         parts = self._lists.get(name)
         if parts is None:
             call_own(name)
