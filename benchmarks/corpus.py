@@ -26,7 +26,7 @@ from domeshim.measure.match import Picture, match, match_discs
 from domeshim.measure.reference import (
     NoPictureError,
     StockRuns,
-    last_line,
+    last_words,
     stock_environment,
     virtual_display,
 )
@@ -36,20 +36,23 @@ AT_ONCE = 2
 OUTPUT = Path(__file__).parents[1] / "docs" / "corpus.md"
 ARGUMENTS = {"proesch/stereo/stereoDemo.py": ("ANAGLYPH",)}
 """What those programs must be told that do not run without."""
-STARTS = re.compile(r"mainloop|MainLoop|__main__")
-"""What a module's text has that can be started as a program."""
+MAIN_LOOP = re.compile(r"[mM]ain[lL]oop\s*\(")
+START = re.compile(f"{MAIN_LOOP.pattern}|__main__")
+"""What the text of a module has that can be started as a program."""
 
 
 def measure(program: Path, name: str, display: str) -> Row:
     """Run one program natively and on the dome, and compare the pictures."""
     row = Row(name)
     runs = StockRuns(display, program, ARGUMENTS.get(name, ()), FRAME, SIZE, TIMEOUT)
-    if not STARTS.search(program.read_text(errors="replace")):
+    text = program.read_text(errors="replace")
+    if not START.search(text):
         return replace(row, is_program=False)
     try:
         stock = runs.monitor()
     except NoPictureError as error:
-        return replace(row, native=str(error), is_program=not error.windowless)
+        tried_itself = error.ended and (error.silent or not MAIN_LOOP.search(text))
+        return replace(row, native=str(error), is_program=not tried_itself)
     row = replace(row, stock=stock, on_screen=run_on_screen(program, display, runs.arguments))
     row = replace(row, monitor=compare_monitor(runs, stock.picture))
     if not (row.flat or row.split):
@@ -99,7 +102,7 @@ def capture(runs: StockRuns, mode: str, size: int) -> Picture | str:
         except subprocess.TimeoutExpired:
             return f"no picture within {2 * TIMEOUT:g} seconds"
         if ended.returncode or not output.exists():
-            return last_line(ended.stderr, ended.returncode)
+            return last_words(ended.stderr, ended.returncode)
         return np.asarray(Image.open(output).convert("RGB"))
 
 
@@ -110,8 +113,8 @@ def run_on_screen(program: Path, display: str, arguments: tuple[str, ...]) -> st
         ended = run([sys.executable, str(program), *arguments], program, environment, ON_SCREEN)
     except subprocess.TimeoutExpired as running:
         words = running.stderr or b""
-        return last_line(words, 0) if b"Traceback" in words else ""
-    return last_line(ended.stderr, ended.returncode) if ended.returncode else ""
+        return last_words(words, 0) if b"Traceback" in words else ""
+    return last_words(ended.stderr, ended.returncode) if ended.returncode else ""
 
 
 def run(

@@ -64,7 +64,8 @@ Pictures of {SIZE} x {SIZE} pixels, number {FRAME} of each program; limit {LIMIT
 
 ## No programs
 
-Modules without a window of their own, which the others import: {{modules}}.
+Modules that the others import, of which some try themselves when they are started, but wait for no window:
+{{modules}}.
 """
 
 

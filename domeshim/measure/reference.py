@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from domeshim.errors import DomeError, ScreenError
-from domeshim.measure.face_program import FACES, MONITOR
+from domeshim.measure.face_program import FACES, MONITOR, UNFINISHED
 from domeshim.measure.match import Picture
 
 PACKAGE = Path(__file__).parents[1]
@@ -28,12 +28,13 @@ PACKAGE = Path(__file__).parents[1]
 class NoPictureError(DomeError):
     """A program gave no picture with stock PyOpenGL; says why, as far as the program did.
 
-    windowless: it ended without an error and without having opened a window.
+    ended: it came to its end without an error. silent: and said nothing.
     """
 
-    def __init__(self, reason: str, *, windowless: bool = False) -> None:
+    def __init__(self, reason: str, *, ended: bool = False, silent: bool = False) -> None:
         super().__init__(reason)
-        self.windowless = windowless
+        self.ended = ended
+        self.silent = silent
 
 
 @dataclass(frozen=True)
@@ -96,7 +97,7 @@ class StockRuns:
                 raise NoPictureError(f"no picture within {self.timeout:g} seconds") from None
             if output.exists():
                 return _load(output)
-        raise NoPictureError(last_line(ended.stderr, ended.returncode), windowless=ended.returncode == 0)
+        raise _failure(ended)
 
 
 def _load(path: Path) -> StockPicture:
@@ -111,10 +112,19 @@ def _load(path: Path) -> StockPicture:
         )
 
 
-def last_line(words: bytes, status: int) -> str:
-    """The last line that a program wrote to its standard error; without one, its exit status in words."""
-    lines = [line.strip() for line in words.decode(errors="replace").splitlines() if line.strip()]
-    return lines[-1] if lines else f"it ended with status {status} and without a word"
+def _failure(ended: subprocess.CompletedProcess[bytes]) -> NoPictureError:
+    if ended.returncode not in (0, UNFINISHED):
+        return NoPictureError(last_words(ended.stderr, ended.returncode))
+    said = ended.stderr + ended.stdout if ended.returncode == 0 else ended.stderr
+    return NoPictureError(last_words(said, ended.returncode), ended=True, silent=not said.strip())
+
+
+def last_words(said: bytes, status: int) -> str:
+    """The error that a program's last traceback ends in, or its last line; without one, its exit status."""
+    lines = [line.rstrip() for line in said.decode(errors="replace").splitlines() if line.strip()]
+    starts = [number for number, line in enumerate(lines) if line.startswith("Traceback (most recent")]
+    errors = [line for line in lines[starts[-1] + 1 :] if not line.startswith(" ")] if starts else lines[-1:]
+    return errors[0].strip() if errors else f"it ended with status {status} and without a word"
 
 
 def stock_environment(display: str, environ: Mapping[str, str] | None = None) -> dict[str, str]:

@@ -260,7 +260,7 @@ def test_a_wait_for_time_to_pass_ends(runs):
 
 
 @pytest.mark.parametrize(
-    ("body", "reason", "windowless"),
+    ("body", "reason", "ended"),
     [
         (
             "import there_is_no_such_module",
@@ -272,16 +272,19 @@ def test_a_wait_for_time_to_pass_ends(runs):
             "SyntaxError: Missing parentheses in call to 'print'. Did you mean print(...)?",
             False,
         ),
+        ("print('one'); print('two')", "two", True),
+        ("raise ValueError('on\\ntwo lines')", "ValueError: on", False),
         ("x = 1", "it ended with status 0 and without a word", True),
         ("def draw(): unknown\nstart()", "NameError: name 'unknown' is not defined", False),
-        ("def draw(): sys.exit()\nstart()", "the program ended before the wanted picture", False),
-        ("glutInit(); glutCreateWindow(b'')", "the program ended before the wanted picture", False),
+        ("def draw(): sys.exit()\nstart()", "the program ended before the wanted picture", True),
+        ("glutInit(); glutCreateWindow(b'')", "the program ended before the wanted picture", True),
     ],
 )
-def test_no_picture_has_its_reason(runs, body, reason, windowless):
+def test_no_picture_has_its_reason(runs, body, reason, ended):
     with pytest.raises(NoPictureError) as raised:
         runs(body).monitor()
-    assert (str(raised.value), raised.value.windowless) == (reason, windowless)
+    assert (str(raised.value), raised.value.ended) == (reason, ended)
+    assert raised.value.silent == reason.endswith("without a word")
 
 
 def test_a_program_that_shows_nothing_is_given_up(runs):
