@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from domeshim.intercept.toolkits.qt import QtToolkit
     from domeshim.session import Session
 
-_PYGAME = ("pygame.display", "pygame.event", "pygame.time")
+_PYGAME = ("pygame.display", "pygame.event", "pygame.mouse", "pygame.time")
 _QT_BINDINGS = ("PySide6", "PyQt6", "PyQt5", "PySide2")
 _QT_MODULES = ("QtCore", "QtGui", "QtWidgets", "QtOpenGL", "QtOpenGLWidgets")
 

@@ -40,6 +40,9 @@ class GlfwToolkit(ToolkitHost):
             "swap_buffers": self.swap_buffers,
             "destroy_window": self.destroy_window,
             "terminate": self.terminate,
+            "get_cursor_pos": self.get_cursor_pos,
+            "set_cursor_pos": self.set_cursor_pos,
+            "set_cursor_pos_callback": self.set_cursor_pos_callback,
             "poll_events": self._delivering(glfw.poll_events),
             "wait_events": self._delivering(glfw.wait_events),
             "wait_events_timeout": self._delivering(glfw.wait_events_timeout),
@@ -203,6 +206,43 @@ class GlfwToolkit(ToolkitHost):
         self._current = None
         self._glfw.terminate()
 
+    def get_cursor_pos(self, window: Any) -> tuple[float, float]:
+        """Where the pointer is, in the program's screen coordinates; (0, 0) where nobody has moved it."""
+        x, y = self._glfw.get_cursor_pos(window)
+        if x == y == 0:
+            return x, y
+        return self._placed(window, x, y, self.program_place)
+
+    def set_cursor_pos(self, window: Any, x: float, y: float) -> None:
+        """Put the pointer where the dome has that place of the program's."""
+        self._glfw.set_cursor_pos(window, *self._placed(window, x, y, self.window_place))
+
+    def set_cursor_pos_callback(self, window: Any, function: Any) -> Any:
+        """Tell function(window, x, y) of the pointer, in the program's screen coordinates."""
+
+        def placed(handle: Any, x: float, y: float) -> None:
+            function(handle, *self._placed(handle, x, y, self.program_place))
+
+        opened = self._windows.get(_address(window))
+        if opened is None:
+            return self._glfw.set_cursor_pos_callback(window, function)
+        former, opened.cursor_told = opened.cursor_told, function
+        self._glfw.set_cursor_pos_callback(window, placed if function else None)
+        return former
+
+    def _placed(
+        self, window: Any, x: float, y: float, place: Callable[[Window, float, float], tuple[float, float]]
+    ) -> tuple[float, float]:
+        """A pointer's place converted, by its pixel's middle; one that glfw has disabled is only counted."""
+        glfw, opened = self._glfw, self._windows.get(_address(window))
+        if opened is None or glfw.get_input_mode(window, glfw.CURSOR) == glfw.CURSOR_DISABLED:
+            return x, y
+        screen, frame = glfw.get_window_size(window), opened.surface.size
+        if min(*screen, *frame) <= 0:
+            return x, y
+        x, y = place(opened.surface, x * frame[0] / screen[0] + 0.5, y * frame[1] / screen[1] + 0.5)
+        return (x - 0.5) * screen[0] / frame[0], (y - 0.5) * screen[1] / frame[1]
+
     def _delivering(self, original: Callable[..., Any]) -> Callable[..., Any]:
         """The call, in which glfw tells of the windows' new sizes."""
 
@@ -240,6 +280,8 @@ class _GlfwWindow:
         self.met = False
         """It has been current, and the session knows it."""
         self.told_size = (0, 0)
+        self.cursor_told: Any = None
+        """The program's function that hears of the pointer."""
 
 
 class _Originals:

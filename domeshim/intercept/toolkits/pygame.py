@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import math
+from collections.abc import Callable, Mapping, Sequence
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
@@ -19,6 +20,8 @@ _ACCUMULATION = (8, 9, 10, 11)
 _SAMPLE_BUFFERS, _SAMPLES = 13, 14
 _FLAGS, _PROFILE = 20, 21
 _FORWARD_COMPATIBLE, _CORE, _ES = 2, 1, 4
+_POINTING = (0x400, 0x401, 0x402)
+"""SDL's mouse motion, button down and button up."""
 _DEFAULTS = {_DEPTH: 16, _DOUBLEBUFFER: 1}
 """What SDL gives to a program that has not called gl_set_attribute."""
 
@@ -34,12 +37,13 @@ class PygameToolkit(ToolkitHost):
         self._told_size = (0, 0)
         self._display: Mapping[str, Any] = {}
         self._event: Mapping[str, Any] = {}
+        self._mouse: Mapping[str, Any] = {}
         self._timers = VirtualTimers(session.clock)
         self._timer_of: dict[Any, int] = {}
         self._last_frame = 0
 
     def replacements(self, name: str, module: ModuleType) -> dict[str, Any]:
-        """Our names for pygame.display, pygame.event or pygame.time."""
+        """Our names for pygame.display, pygame.event, pygame.mouse or pygame.time."""
         part = name.rpartition(".")[2]
         originals = dict(vars(module))
         if part == "display":
@@ -55,6 +59,9 @@ class PygameToolkit(ToolkitHost):
             self._event = originals
             ours = {name: self._pumping(originals[name]) for name in ("get", "poll", "pump")}
             return ours | {"wait": self.wait}
+        if part == "mouse":
+            self._mouse = originals
+            return {"get_pos": self.get_pos, "set_pos": self.set_pos}
         return {"set_timer": self.set_timer} if self.session.clock.virtual else {}
 
     # pygame.display.
@@ -184,6 +191,8 @@ class PygameToolkit(ToolkitHost):
             self._turn_timers()
             result = original(*args, **named)
             self._look_at_size()
+            for event in result if isinstance(result, list) else (result,):
+                self._place(event)
             return result
 
         return call
@@ -193,11 +202,43 @@ class PygameToolkit(ToolkitHost):
         if not self.session.clock.virtual:
             event = self._event["wait"](*args, **named)
             self._look_at_size()
+            self._place(event)
             return event
         self._turn_timers()
         if not self._event["peek"]():
             self._post("VIDEOEXPOSE")
-        return self._event["poll"]()
+        event = self._event["poll"]()
+        self._place(event)
+        return event
+
+    # pygame.mouse.
+
+    def _place(self, event: Any) -> None:
+        """Let an event of the mouse say where it is on the monitor; rel stays the hand's own movement."""
+        if event is not None and event.type in _POINTING:
+            event.pos = self._program_place(event.pos)
+
+    def _program_place(self, place: Sequence[int]) -> tuple[int, int]:
+        if self._window is None:
+            return place[0], place[1]
+        x, y = self.program_place(self._window, place[0] + 0.5, place[1] + 0.5)
+        return math.floor(x), math.floor(y)
+
+    def get_pos(self) -> tuple[int, int]:
+        """Where the pointer is, in the program's pixels; as SDL says it, (0, 0) until it first moves."""
+        place = self._mouse["get_pos"]()
+        return self._program_place(place) if any(place) else (0, 0)
+
+    def set_pos(self, *place: Any) -> None:
+        """Put the pointer where the dome has that pixel of the program's."""
+        x, y = place[0] if len(place) == 1 else place
+        if self._window is not None:
+            width, height = self._window.size
+            x, y = self.window_place(self._window, x + 0.5, y + 0.5)
+            x, y = max(0, min(math.floor(x), width - 1)), max(0, min(math.floor(y), height - 1))
+        self._mouse["set_pos"](x, y)
+
+    # pygame.time.
 
     def set_timer(self, event: Any, millis: int, loops: int = 0) -> None:
         """Post the event every so many milliseconds of the session's clock; 0 stops that."""

@@ -119,6 +119,16 @@ class ToolkitHost:
                 self.say_once("the program's GL has no fixed function; what it draws with it is not bent")
         self.session.window_opened(window, size, bent=bent)
 
+    def program_place(self, window: Window, x: float, y: float) -> tuple[float, float]:
+        """Where the monitor would show a place of the frame; pixels from the top left."""
+        dome = self.session.dome
+        return (x, y) if dome is None else dome.program_place(window, x, y)
+
+    def window_place(self, window: Window, x: float, y: float) -> tuple[float, float]:
+        """program_place's way back."""
+        dome = self.session.dome
+        return (x, y) if dome is None else dome.frame_place(window, x, y)
+
     def finished(self, window: Window) -> None:
         """The program has finished a picture."""
         if self.session.options.enabled and self.session.dome is None:
