@@ -355,8 +355,8 @@ LARGE: dict[str, tuple[Callable[[GL], None], Shape, Callable[[GL], None]]] = {
     ),
     "ring": (
         floor_ahead,
-        lambda gl, q: gl.gluDisk(q, 20, 50, 5, 1),
-        lambda gl: finely(gl, ring(5, 50, 0), ring(5, 20, 0)),
+        lambda gl, q: gl.gluDisk(q, 6, 50, 5, 1),
+        lambda gl: finely(gl, ring(5, 50, 0), ring(5, 6, 0)),
     ),
     "cylinder": (
         around_the_viewer,
@@ -389,9 +389,15 @@ def test_long_edges_bend(beside: Beside, name: str, listed: bool) -> None:
     bent = beside.through_dome(coarse_scene, fov=180).picture
     right = beside.through_dome(fine_scene, fov=180).picture
     straight = beside.through_dome(coarse_scene, fov=180, method="vertex").picture
-    assert (right != right[0, 0]).any(-1).mean() > 0.2, "too little to see"
+    assert covered(right).mean() > 0.04, "too little to see"
     assert wrong_share(bent, right) < 0.01
-    assert wrong_share(straight, right) > 0.05
+    assert wrong_share(straight, right) > 0.03
+
+
+def covered(picture: np.ndarray) -> np.ndarray:
+    """Pixels that are neither background nor outside the disc."""
+    background, outside = (np.abs(picture.astype(int) - c).max(-1) < 3 for c in ((26, 26, 51), (0, 0, 0)))
+    return ~(background | outside)
 
 
 def wrong_share(one: np.ndarray, other: np.ndarray) -> float:
@@ -414,7 +420,7 @@ def test_long_lines_bend(beside: Beside, name: str) -> None:
     bent = beside.through_dome(scene, fov=180).picture
     filled = beside.through_dome(lambda gl: (standing(gl), place(gl), LARGE[name][2](gl)), fov=180).picture
     lines = (bent > 200).all(-1)
-    ground = ~(np.abs(filled.astype(int) - (26, 26, 51)) < 3).all(-1)
+    ground = covered(filled)
     assert lines.sum() > 100
     near = np.zeros_like(ground)
     for dy, dx in product((-2, -1, 0, 1, 2), repeat=2):
