@@ -19,7 +19,7 @@ from domeshim.session import Session
 Job = Callable[[], None]
 """What a command found to be done. Run outside of click, which has its own ideas of how a program may end."""
 
-_FIELDS = ("fov", "tilt", "lens", "method", "hud", "panel", "fill", "frame", "display")
+_FIELDS = ("fov", "tilt", "lens", "method", "tolerance", "hud", "panel", "fill", "frame", "display")
 _FIELDS_OF_CAPTURE = tuple(field for field in _FIELDS if field not in ("frame", "display"))
 
 
