@@ -9,6 +9,7 @@ import platform
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from domeshim import __version__
 from domeshim.measure.reference import StockPicture
 
 SIZE = 768
@@ -158,11 +159,12 @@ def plain(words: str) -> str:
 def versions(rows: list[Row]) -> str:
     """What the figures were measured with."""
     stock = next(row.stock for row in rows if row.stock is not None)
-    packages = ("PyOpenGL", "PyOpenGL-Demo", "numpy", "domeshim")
+    packages = ("PyOpenGL", "PyOpenGL-Demo", "numpy")
     numbers = [f"{name} {importlib.metadata.version(name)}" for name in packages]
+    ours = f"domeshim {__version__}"
     python = f"Python {platform.python_version()}"
     date = datetime.datetime.now(datetime.UTC).date().isoformat()
-    return f"{date}; {python}, {', '.join(numbers)}; GL {stock.version} on {stock.renderer}."
+    return f"{date}; {ours}, {python}, {', '.join(numbers)}; GL {stock.version} on {stock.renderer}."
 
 
 def page(rows: list[Row]) -> str:
