@@ -1,4 +1,4 @@
-"""What the dome costs the fixed-function ways to draw: each scene by stock PyOpenGL and on the dome, in turns.
+"""What the dome costs the fixed-function ways to draw: each by stock PyOpenGL and on the dome, in turns.
 
     python benchmarks/immediate.py [FRAMES]
 
@@ -169,7 +169,8 @@ class Pair:
         overlay.module_imported("OpenGL.GLU", OpenGL.GLU)
         self.shim = GL(**vars(OpenGL.GL), gluPerspective=OpenGL.GLU.gluPerspective)
         self.windows = [
-            self.backend.open_window("", (SIZE, SIZE), None, SurfaceFormat(), WindowEvents()) for _ in range(2)
+            self.backend.open_window("", (SIZE, SIZE), None, SurfaceFormat(), WindowEvents())
+            for _ in range(2)
         ]
         self.windows[0].make_current()
         prepare(self.stock)
@@ -227,7 +228,9 @@ def main(frames: int) -> None:
                 if k >= 2:  # the first ones build shaders
                     times[dome].append(seconds)
         monitor, ours = (1000 * statistics.median(t) for t in times)
-        print(f"{scene.__name__:18s} monitor {monitor:7.1f} ms  dome {ours:7.1f} ms  ratio {ours / monitor:.2f}")
+        print(
+            f"{scene.__name__:18s} monitor {monitor:7.1f} ms  dome {ours:7.1f} ms  ratio {ours / monitor:.2f}"
+        )
 
 
 if __name__ == "__main__":

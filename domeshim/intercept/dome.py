@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 @contextmanager
 def inside_block(context: DomeContext) -> Iterator[None]:
-    """GL stands between glBegin and glEnd: nothing of ours may come in, nor PyOpenGL's question for errors."""
+    """GL stands between glBegin and glEnd: nothing of ours comes in, nor PyOpenGL's question for errors."""
     from OpenGL.raw.GL import _errors  # noqa: PLC0415 - not before the program has imported OpenGL
 
     checker, compiling = _errors._error_checker, context.compiling
@@ -230,7 +230,7 @@ class Dome:
         run, face, exact = material_run(recorder.take())
         if not exact:
             context.say_once(
-                "glMaterial gave the two faces unlike materials between glBegin and glEnd; the front's is used"
+                "glMaterial gave the faces unlike materials between glBegin and glEnd; the front's is used"
             )
 
         def draw() -> None:

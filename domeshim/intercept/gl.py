@@ -209,7 +209,7 @@ def _get(dome: Dome, original: Call) -> Call:
 
 
 def _color_material(dome: Dome, original: Call) -> Call:
-    """glColorMaterial: the material keeps the colour that it has followed, also one set since the last draw."""
+    """glColorMaterial: the material keeps the colour that it followed, also one set since the last draw."""
 
     def call(*args: Any) -> Any:
         context = dome.context

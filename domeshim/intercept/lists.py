@@ -42,7 +42,9 @@ def end_list(dome: Dome, original: Call) -> Call:
         if dome.recorder.block is not None and dome.context is not None:
             dome.recorder.end()
             dome.recorder.clear()
-            dome.context.say_once("a display list that ends between glBegin and glEnd loses what it draws there")
+            dome.context.say_once(
+                "a display list that ends between glBegin and glEnd loses what it draws there"
+            )
         result = original()
         context, lists = dome.context, dome.lists
         if context is not None and lists is not None and lists.building is not None:

@@ -225,7 +225,8 @@ def _texture(draft: Draft, texture: Texture) -> None:
             continue
         if generated in ("sphere", "reflection"):
             draft.need(f"texture/{generated}")
-        draft.add(f"texture{u}.{axis} = " + _TEXGEN[generated].format(C="R" if axis == "p" else axis.upper(), c=axis, u=u) + ";")
+        plane = "R" if axis == "p" else axis.upper()
+        draft.add(f"texture{u}.{axis} = {_TEXGEN[generated].format(C=plane, c=axis, u=u)};")
     draft.add(
         f"gl_TexCoord[{u}] = " + (f"gl_TextureMatrix[{u}] * " if texture.matrix else "") + f"texture{u};"
     )

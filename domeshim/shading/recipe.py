@@ -81,7 +81,7 @@ class Mapping:
     sides: tuple[int, ...] = ()
     """The scissor's edges that cut a view on the dome: 0 left, 1 right, 2 bottom, 3 top."""
     raster: Literal["point", "nowhere"] | None = None
-    """For glRasterPos, which no clip distance stops: a point that is cut off, or any at all, goes out of sight."""
+    """For glRasterPos, which no clip distance stops: points that are cut off, or all, go out of sight."""
 
 
 @dataclass(frozen=True)

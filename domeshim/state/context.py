@@ -178,7 +178,7 @@ class DomeContext:
         return not self.compiling and not self._bypasses
 
     def window_position(self, x: float, y: float, depth: float) -> tuple[float, float, float] | None:
-        """Where a point of the program's window, and the depth there, are in the frame; None if it is hidden."""
+        """Where a point of the program's window, and the depth there, are in the frame; None: hidden."""
         self._uncover()
         placement = self._see_placement()
         if self.placer.has_perspective and self._options.hud == "off":

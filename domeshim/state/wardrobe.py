@@ -66,7 +66,16 @@ class Wardrobe:
         hidden = self.hides(placement)
         if look.fragments is not None:
             return self._make(look, flat=flat, hidden=hidden)
-        key = (id(look.scene), placement.place, edges.inner, edges.empty, look.patch, look.raster, flat, hidden)
+        key = (
+            id(look.scene),
+            placement.place,
+            edges.inner,
+            edges.empty,
+            look.patch,
+            look.raster,
+            flat,
+            hidden,
+        )
         found = self._outfits.get(key)
         if found is None:
             if len(self._outfits) >= _MOST:
@@ -84,7 +93,10 @@ class Wardrobe:
         return (_RASTERIZER_DISCARD,) if left_out else ()
 
     def send(self, outfit: Outfit, look: Look, detail: float) -> None:
-        """Give the outfit's program, which is bound, its uniforms; detail: pieces that an arc of one radian needs."""
+        """Give the outfit's program, which is bound, its uniforms.
+
+        detail: pieces that an arc of one radian needs.
+        """
         if look.fragments is not None:
             look.fragments.send_to(outfit.program)
         sent = outfit.sent

@@ -133,7 +133,7 @@ class Beside:
             kept = self.folder / f"{name}.png"
             Image.fromarray(np.hstack([monitor, dome, amplified])).save(kept)
             raise AssertionError(
-                f"{name}: {shares[0]:.4f} of the pixels differ, {shares[1]:.4f} from all around them; see {kept}"
+                f"{name}: {shares[0]:.4f} of the pixels differ, {shares[1]:.4f} from all around; see {kept}"
             )
 
     def _open(self, size: tuple[int, int]) -> Any:

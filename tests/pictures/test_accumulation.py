@@ -1,4 +1,4 @@
-"""glAccum works where the surface has no accumulation buffer: sums of pictures are what numpy makes of them."""
+"""glAccum works without an accumulation buffer: sums of pictures are what numpy makes of them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What happens to primitives and fragments: modes, stipples, tests, clip planes, logic, offsets, attribute stacks."""
+"""Modes, stipples, tests, clip planes, logic, offsets and attribute stacks work as on the monitor."""
 
 from __future__ import annotations
 

@@ -97,7 +97,9 @@ def tessellated(gl: GL, rule: str, boundary: bool, callbacks: str) -> list[str]:
         gl.gluTessCallback(tess, gl.GLU_TESS_END, gl.glEnd)
         gl.gluTessCallback(tess, gl.GLU_TESS_VERTEX, vertex)
     else:
-        gl.gluTessCallback(tess, gl.GLU_TESS_BEGIN, lambda mode: (calls.append(f"begin {mode}"), gl.glBegin(mode)))
+        gl.gluTessCallback(
+            tess, gl.GLU_TESS_BEGIN, lambda mode: (calls.append(f"begin {mode}"), gl.glBegin(mode))
+        )
         gl.gluTessCallback(tess, gl.GLU_TESS_END, lambda: (calls.append("end"), gl.glEnd()))
         gl.gluTessCallback(tess, gl.GLU_TESS_VERTEX, vertex)
         gl.gluTessCallback(tess, gl.GLU_TESS_EDGE_FLAG, lambda flag: gl.glEdgeFlag(flag))
@@ -120,10 +122,14 @@ def tessellated(gl: GL, rule: str, boundary: bool, callbacks: str) -> list[str]:
 
 @pytest.mark.parametrize("callbacks", ["gl", "own"])
 @pytest.mark.parametrize("boundary", [False, True])
-@pytest.mark.parametrize("rule", ["GLU_TESS_WINDING_ODD", "GLU_TESS_WINDING_NONZERO", "GLU_TESS_WINDING_NEGATIVE"])
+@pytest.mark.parametrize(
+    "rule", ["GLU_TESS_WINDING_ODD", "GLU_TESS_WINDING_NONZERO", "GLU_TESS_WINDING_NEGATIVE"]
+)
 def test_tessellators(beside: Beside, rule: str, boundary: bool, callbacks: str) -> None:
     beside.equal(
-        lambda gl: tessellated(gl, rule, boundary, callbacks), name=f"{rule} {boundary} {callbacks}", wrong=0.004
+        lambda gl: tessellated(gl, rule, boundary, callbacks),
+        name=f"{rule} {boundary} {callbacks}",
+        wrong=0.004,
     )
 
 
@@ -149,7 +155,10 @@ def test_nurbs_surface(beside: Beside, outline: bool) -> None:
         gl.gluNurbsProperty(nurbs, gl.GLU_DISPLAY_MODE, gl.GLU_OUTLINE_POLYGON if outline else gl.GLU_FILL)
         knots = np.array([0, 0, 0, 0, 1, 1, 1, 1], np.float32)
         points = np.array(
-            [[[i / 2 - 0.75, j / 2 - 0.75, 0.8 if 0 < i < 3 and 0 < j < 3 else 0] for j in range(4)] for i in range(4)],
+            [
+                [[i / 2 - 0.75, j / 2 - 0.75, 0.8 if 0 < i < 3 and 0 < j < 3 else 0] for j in range(4)]
+                for i in range(4)
+            ],
             np.float32,
         )
         gl.glRotatef(-40, 1, 0, 0)

@@ -119,7 +119,7 @@ def test_nothing_is_drawn_from_outside_the_view(beside: Beside, where: tuple[flo
     beside.equal(scene, name=f"raster at {where}", wrong=0.004)
 
 
-@pytest.mark.parametrize("z, seen", [(-5.0, True), (5.0, False)])
+@pytest.mark.parametrize(("z", "seen"), [(-5.0, True), (5.0, False)])
 def test_a_point_behind_the_viewer_draws_nothing(beside: Beside, z: float, seen: bool) -> None:
     def scene(gl: GL) -> None:
         gl.glClear(gl.GL_COLOR_BUFFER_BIT)

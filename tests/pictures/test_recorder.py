@@ -44,12 +44,14 @@ def test_every_mode(beside: Beside, mode: str, count: int) -> None:
 
 VERTICES = {
     "glVertex2f": (0.5, -0.3), "glVertex2d": (0.5, -0.3), "glVertex2i": (1, -1), "glVertex2s": (1, -1),
-    "glVertex3f": (0.5, 0.3, 0.2), "glVertex3d": (0.5, 0.3, 0.2), "glVertex3i": (1, 0, 1), "glVertex3s": (1, 0, 1),
+    "glVertex3f": (0.5, 0.3, 0.2), "glVertex3d": (0.5, 0.3, 0.2), "glVertex3i": (1, 0, 1),
+    "glVertex3s": (1, 0, 1),
     "glVertex4f": (1, 0.6, 0.2, 2), "glVertex4d": (1, 0.6, 0.2, 2), "glVertex4i": (1, 1, 0, 2),
     "glVertex4s": (1, 1, 0, 2), "glVertex": (0.6, 0.4, 0),
 }  # fmt: skip
 COLORS = {
-    "glColor3f": (1, 0.5, 0), "glColor3d": (1, 0.5, 0), "glColor3ub": (255, 128, 0), "glColor3b": (127, 50, -3),
+    "glColor3f": (1, 0.5, 0), "glColor3d": (1, 0.5, 0), "glColor3ub": (255, 128, 0),
+    "glColor3b": (127, 50, -3),
     "glColor3us": (65535, 30000, 0), "glColor3s": (32767, 10000, 0), "glColor3ui": (2**32 - 1, 2**31, 0),
     "glColor3i": (2**31 - 1, 2**30, 0), "glColor4f": (1, 0.5, 0, 0.4), "glColor4d": (1, 0.5, 0, 0.4),
     "glColor4ub": (255, 128, 0, 100), "glColor4b": (127, 50, 0, 60), "glColor4us": (65535, 30000, 0, 20000),
@@ -58,11 +60,13 @@ COLORS = {
 }  # fmt: skip
 OTHERS = {
     "glTexCoord1f": (0.7,), "glTexCoord2f": (0.7, 0.2), "glTexCoord3f": (0.7, 0.2, 0.1),
-    "glTexCoord4f": (0.7, 0.2, 0.1, 2), "glTexCoord2d": (0.7, 0.2), "glTexCoord2i": (1, 3), "glTexCoord2s": (1, 3),
+    "glTexCoord4f": (0.7, 0.2, 0.1, 2), "glTexCoord2d": (0.7, 0.2), "glTexCoord2i": (1, 3),
+    "glTexCoord2s": (1, 3),
     "glTexCoord3i": (1, 2, 1), "glTexCoord4s": (1, 2, 1, 3), "glTexCoord1d": (0.4,),
     "glNormal3f": (0.6, 0.1, 0.7), "glNormal3d": (0.6, 0.1, 0.7), "glNormal3b": (80, 20, 90),
     "glNormal3s": (20000, 900, 25000), "glNormal3i": (2**30, 2**28, 2**30), "glNormal": (0.6, 0.1, 0.7),
-    "glSecondaryColor3f": (0.2, 0.5, 0), "glSecondaryColor3d": (0.2, 0.5, 0), "glSecondaryColor3ub": (60, 128, 0),
+    "glSecondaryColor3f": (0.2, 0.5, 0), "glSecondaryColor3d": (0.2, 0.5, 0),
+    "glSecondaryColor3ub": (60, 128, 0),
     "glSecondaryColor3b": (30, 60, 1), "glSecondaryColor3us": (9000, 30000, 0),
     "glSecondaryColor3s": (9000, 10000, 0), "glSecondaryColor3ui": (2**30, 2**31, 0),
     "glSecondaryColor3i": (2**30, 2**30, 0), "glFogCoordf": (0.6,), "glFogCoordd": (0.6,),
@@ -142,8 +146,8 @@ def test_current_attributes_last(beside: Beside) -> None:
             answers.append(gl.glGetFloatv(gl.GL_CURRENT_COLOR).tolist())
             gl.glPopAttrib()
             gl.glActiveTexture(gl.GL_TEXTURE1)
-            for what in ("COLOR", "NORMAL", "SECONDARY_COLOR", "FOG_COORD", "TEXTURE_COORDS"):
-                answers.append(np.ravel(gl.glGetFloatv(getattr(gl, f"GL_CURRENT_{what}"))).tolist())
+            whats = ("COLOR", "NORMAL", "SECONDARY_COLOR", "FOG_COORD", "TEXTURE_COORDS")
+            answers += [np.ravel(gl.glGetFloatv(getattr(gl, f"GL_CURRENT_{what}"))).tolist() for what in whats]
             gl.glActiveTexture(gl.GL_TEXTURE0)
         gl.glRectf(-0.2, -0.2, 0.2, 0.2)
         return answers
@@ -151,7 +155,9 @@ def test_current_attributes_last(beside: Beside) -> None:
     beside.equal(scene)
 
 
-@pytest.mark.parametrize("mode", ["TRIANGLES", "QUADS", "TRIANGLE_STRIP", "TRIANGLE_FAN", "POLYGON", "LINE_STRIP"])
+@pytest.mark.parametrize(
+    "mode", ["TRIANGLES", "QUADS", "TRIANGLE_STRIP", "TRIANGLE_FAN", "POLYGON", "LINE_STRIP"]
+)
 @pytest.mark.parametrize("in_list", [False, True])
 @pytest.mark.parametrize("two_sided", [False, True])
 def test_material_at_each_vertex(beside: Beside, mode: str, in_list: bool, two_sided: bool) -> None:
@@ -218,7 +224,9 @@ def test_array_elements(beside: Beside) -> None:
 def test_evaluated_vertices(beside: Beside) -> None:
     def scene(gl: GL) -> None:
         looking(gl, depth=False)
-        gl.glMap1f(gl.GL_MAP1_VERTEX_3, 0, 1, [[-0.8, -0.5, 0], [-0.3, 0.9, 0], [0.3, -0.9, 0], [0.8, 0.5, 0]])
+        gl.glMap1f(
+            gl.GL_MAP1_VERTEX_3, 0, 1, [[-0.8, -0.5, 0], [-0.3, 0.9, 0], [0.3, -0.9, 0], [0.8, 0.5, 0]]
+        )
         gl.glEnable(gl.GL_MAP1_VERTEX_3)
         gl.glBegin(gl.GL_LINE_STRIP)
         for k in range(31):
@@ -345,7 +353,9 @@ def test_arrays_compiled_into_a_list(beside: Beside) -> None:
     beside.equal(scene)
 
 
-@pytest.mark.parametrize("name", ["glRectf", "glRectd", "glRecti", "glRects", "glRectfv", "glRectdv", "glRectiv"])
+@pytest.mark.parametrize(
+    "name", ["glRectf", "glRectd", "glRecti", "glRects", "glRectfv", "glRectdv", "glRectiv"]
+)
 def test_rectangles(beside: Beside, name: str) -> None:
     def scene(gl: GL) -> None:
         looking(gl, depth=False)

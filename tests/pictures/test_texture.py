@@ -170,7 +170,9 @@ def test_textures_lie_as_on_the_monitor(beside: Beside, scene: object) -> None:
     beside.equal(scene, wrong=0.003)
 
 
-@pytest.mark.parametrize("mode", ["OBJECT_LINEAR", "EYE_LINEAR", "SPHERE_MAP", "REFLECTION_MAP", "NORMAL_MAP"])
+@pytest.mark.parametrize(
+    "mode", ["OBJECT_LINEAR", "EYE_LINEAR", "SPHERE_MAP", "REFLECTION_MAP", "NORMAL_MAP"]
+)
 def test_generated_coordinates(beside: Beside, mode: str) -> None:
     def scene(gl: GL) -> None:
         looking(gl)
