@@ -6,13 +6,10 @@ that the dome must know of do their part; within glNewList they are kept for whe
 
 from __future__ import annotations
 
-import copy
 import re
 from collections.abc import Callable, Mapping
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
-
-import numpy as np
 
 from domeshim.draw.accumulation import BUFFER_BIT as ACCUMULATION_BIT
 from domeshim.draw.accumulation import Accumulation
@@ -21,9 +18,23 @@ from domeshim.intercept import pixels, reading, recorded, shaders
 from domeshim.intercept.arrays import draw_arrays, draw_elements, draw_range_elements, writes_buffer
 from domeshim.intercept.dome import Dome
 from domeshim.intercept.lists import call_list, call_lists, delete_lists, end_list, new_list
+from domeshim.intercept.state_calls import (
+    active_texture,
+    attributes,
+    color_material,
+    draw,
+    frustum,
+    get,
+    kept_in_lists,
+    load_matrix,
+    matrix_mode,
+    read,
+    render_mode,
+    staling,
+    switch,
+    viewport,
+)
 from domeshim.record.attributes import setter
-from domeshim.state.perspective import frustum, is_perspective, perspective_part
-from domeshim.state.scene import GROUP_OF
 
 if TYPE_CHECKING:
     from domeshim.session import Session
@@ -31,9 +42,7 @@ if TYPE_CHECKING:
 Call = Callable[..., Any]
 Maker = Callable[[Dome, Call], Call]
 
-_DRAWS = re.compile(
-    r"gl(Draw(Arrays|Elements|RangeElements)\w*|MultiDraw\w+|EvalMesh[12])"
-)
+_DRAWS = re.compile(r"gl(Draw(Arrays|Elements|RangeElements)\w*|MultiDraw\w+|EvalMesh[12])")
 _AT_RASTER = re.compile(r"gl(Bitmap|DrawPixels\w*|CopyPixels)")
 _RASTER_POSITIONS = re.compile(r"glRasterPos\d?[dfis]?v?")
 _WINDOW_POSITIONS = re.compile(r"glWindowPos\d[dfis]v?")
@@ -48,23 +57,6 @@ _UNIFORMS = re.compile(r"glUniform\w+")
 _RECTS = re.compile(r"glRect[dfis](v?)")
 _UNSEEN = re.compile(r"glGetError|glGetString\w*|glCheckError|glInit\w+")
 """Neither changes anything nor depends on what was drawn."""
-
-_TOUCHED = frozenset(
-    (
-        0x0BA2,  # GL_VIEWPORT
-        0x0C10,  # GL_SCISSOR_BOX
-        0x0C11,  # GL_SCISSOR_TEST
-        0x8B8D,  # GL_CURRENT_PROGRAM
-        0x8458,  # GL_COLOR_SUM
-        0x8643,  # GL_VERTEX_PROGRAM_TWO_SIDE
-        0x8642,  # GL_VERTEX_PROGRAM_POINT_SIZE
-        0x8C89,  # GL_RASTERIZER_DISCARD
-        *range(0x3000, 0x3008),  # GL_CLIP_PLANEi
-    )
-)
-"""What the dome changes while it draws: before the program asks for one of these it is put back."""
-_SCISSOR_TEST = 0x0C11
-_CURRENT_COLOR, _RENDER, _TEXTURE0, _PROJECTION = 0x0B00, 0x1C00, 0x84C0, 0x1701
 
 
 def replacements(session: Session, module: ModuleType) -> dict[str, Call]:
@@ -160,213 +152,25 @@ def after_recorded(dome: Dome, name: str, call: Call) -> Call:
     return after
 
 
-# Passed on.
-
-
-def kept_in_lists(make: Maker) -> Maker:
-    """The call acts on the dome: while a display list is built it is kept in the list instead."""
-
-    def making(dome: Dome, original: Call) -> Call:
-        call = make(dome, original)
-
-        def maybe_kept(*args: Any, **named: Any) -> Any:
-            if dome.building is not None and dome.lists is not None:
-                kept = copy.deepcopy(args)
-                return dome.lists.keep(lambda: call(*kept, **named))
-            return call(*args, **named)
-
-        return maybe_kept
-
-    return making
-
-
-def _draw(dome: Dome, original: Call) -> Call:
-    def call(*args: Any, **named: Any) -> Any:
-        if dome.context is not None:
-            dome.drawing()
-            dome.context.dress()
-        return original(*args, **named)
-
-    return call
-
-
-def _read(dome: Dome, original: Call) -> Call:
-    def call(*args: Any, **named: Any) -> Any:
-        if dome.context is not None:
-            dome.context.undress()
-        return original(*args, **named)
-
-    return call
-
-
-def _get(dome: Dome, original: Call) -> Call:
-    def call(name: int, *args: Any) -> Any:
-        if name in _TOUCHED and dome.context is not None:
-            dome.context.undress()
-        return original(name, *args)
-
-    return call
-
-
-def _color_material(dome: Dome, original: Call) -> Call:
-    """glColorMaterial: the material keeps the colour that it followed, also one set since the last draw."""
-
-    def call(*args: Any) -> Any:
-        context = dome.context
-        if context is not None:
-            context.driver.integers(_CURRENT_COLOR, 4)  # Mesa hands colours on when it is asked for them
-            context.scene.stale.add("lighting")
-        return original(*args)
-
-    return call
-
-
-def _staling(group: str) -> Maker:
-    def make(dome: Dome, original: Call) -> Call:
-        def call(*args: Any, **named: Any) -> Any:
-            if dome.context is not None:
-                dome.context.scene.stale.add(group)
-            return original(*args, **named)
-
-        return call
-
-    return make
-
-
-def _switch(dome: Dome, original: Call) -> Call:
-    """glEnable and glDisable."""
-
-    def switch(capability: int) -> Any:
-        context = dome.context
-        if context is not None:
-            if capability in _TOUCHED:
-                context.undress()
-            if capability == _SCISSOR_TEST:
-                context.viewport_changed()
-            else:
-                context.scene.stale.add(GROUP_OF[capability])
-        return original(capability)
-
-    kept = kept_in_lists(lambda _dome, _original: switch)(dome, original)
-
-    def call(capability: int, *args: Any) -> Any:
-        seen = capability in GROUP_OF or capability == _SCISSOR_TEST
-        return kept(capability) if seen else original(capability, *args)
-
-    return call
-
-
-def _active_texture(dome: Dome, original: Call) -> Call:
-    def call(texture: int) -> Any:
-        if dome.context is not None:
-            scene = dome.context.scene
-            scene.texture_units = max(scene.texture_units, int(texture) - _TEXTURE0 + 1)
-        return original(texture)
-
-    return call
-
-
-def _viewport(dome: Dome, original: Call) -> Call:
-    def call(*args: Any, **named: Any) -> Any:
-        if dome.context is not None:
-            dome.context.undress()
-            dome.context.viewport_changed()
-        return original(*args, **named)
-
-    return call
-
-
-def _matrix_mode(dome: Dome, original: Call) -> Call:
-    def set_mode(mode: int) -> Any:
-        if dome.context is not None:
-            dome.context.matrix_mode_changed(int(mode))
-        return original(mode)
-
-    kept = kept_in_lists(lambda _dome, _original: set_mode)(dome, original)
-
-    def call(mode: int) -> Any:
-        if dome.building is not None:
-            dome.building.matrix_mode = int(mode)
-        return kept(mode)
-
-    return call
-
-
-def _frustum(dome: Dome, original: Call) -> Call:
-    def call(*planes: float) -> Any:
-        if dome.context is not None and len(planes) == 6:
-            dome.context.perspective_set(frustum(*planes))
-        return original(*planes)
-
-    return call
-
-
-def _load_matrix(dome: Dome, original: Call) -> Call:
-    transposed = "Transpose" in getattr(original, "__name__", "")
-
-    def load(m: Any) -> Any:
-        context = dome.context
-        if context is not None and context.on_projection:
-            matrix = np.array(m, float).reshape(4, 4)
-            matrix = matrix if transposed else matrix.T
-            if is_perspective(matrix):
-                context.perspective_set(perspective_part(matrix))
-        return original(m)
-
-    kept = kept_in_lists(lambda _dome, _original: load)(dome, original)
-
-    def call(m: Any) -> Any:
-        building = dome.building
-        return kept(m) if building is None or building.matrix_mode == _PROJECTION else original(m)
-
-    return call
-
-
-def _attributes(dome: Dome, original: Call) -> Call:
-    """glPushAttrib and glPopAttrib: they must see the program's own state, and may change any."""
-
-    def call(*args: Any) -> Any:
-        context = dome.context
-        if context is None:
-            return original(*args)
-        context.undress()
-        result = original(*args)
-        context.anything_changed()
-        return result
-
-    return call
-
-
-def _render_mode(dome: Dome, original: Call) -> Call:
-    """GL_SELECT and GL_FEEDBACK answer in the monitor's terms: the dome stays out of them."""
-
-    def call(mode: int) -> Any:
-        if dome.context is not None:
-            dome.context.bypass("render mode", on=mode != _RENDER)
-        return original(mode)
-
-    return call
-
-
 _SPECIAL: Mapping[str, Maker] = {
     "glDrawArrays": draw_arrays,
     "glDrawElements": draw_elements,
     "glDrawRangeElements": draw_range_elements,
-    "glEnable": shaders.noting_assembly(_switch, on=True),
-    "glDisable": shaders.noting_assembly(_switch, on=False),
-    "glActiveTexture": _active_texture,
-    "glColorMaterial": kept_in_lists(_color_material),
-    "glViewport": kept_in_lists(_viewport),
-    "glScissor": kept_in_lists(_viewport),
-    "glMatrixMode": _matrix_mode,
-    "glFrustum": kept_in_lists(_frustum),
+    "glEnable": shaders.noting_assembly(switch, on=True),
+    "glDisable": shaders.noting_assembly(switch, on=False),
+    "glActiveTexture": active_texture,
+    "glColorMaterial": kept_in_lists(color_material),
+    "glViewport": kept_in_lists(viewport),
+    "glScissor": kept_in_lists(viewport),
+    "glMatrixMode": matrix_mode,
+    "glFrustum": kept_in_lists(frustum),
     "glNewList": new_list,
     "glEndList": end_list,
     "glCallList": kept_in_lists(call_list),
     "glCallLists": kept_in_lists(call_lists),
     "glDeleteLists": delete_lists,
-    "glPushAttrib": kept_in_lists(_attributes),
-    "glPopAttrib": kept_in_lists(_attributes),
+    "glPushAttrib": kept_in_lists(attributes),
+    "glPopAttrib": kept_in_lists(attributes),
     "glLinkProgram": shaders.link_program,
     "glUseProgram": kept_in_lists(shaders.use_program),
     "glUseProgramObject": kept_in_lists(shaders.use_program),
@@ -376,9 +180,9 @@ _SPECIAL: Mapping[str, Maker] = {
     "glGetObjectParameteriv": shaders.program_value,
     "glGetActiveUniform": shaders.active_uniform,
     "glUniformMatrix4fv": shaders.uniform_matrix,
-    "glRenderMode": _render_mode,
+    "glRenderMode": render_mode,
     "glClear": kept_in_lists(pixels.clear),
-    "glAccum": kept_in_lists(_read),
+    "glAccum": kept_in_lists(read),
 }
 _WRITES_BUFFER = re.compile(
     r"gl(Named)?(BufferData|BufferSubData|BufferStorage)\w*|gl(Unm|M)ap\w*Buffer\w*|glCopy\w*BufferSubData"
@@ -386,16 +190,16 @@ _WRITES_BUFFER = re.compile(
 )
 _FAMILIES: tuple[tuple[re.Pattern[str], Maker], ...] = (
     (_WRITES_BUFFER, writes_buffer),
-    (_DRAWS, _draw),
+    (_DRAWS, draw),
     (_AT_RASTER, pixels.at_raster),
     (_RASTER_POSITIONS, kept_in_lists(pixels.at_raster)),
     (_WINDOW_POSITIONS, kept_in_lists(pixels.window_position)),
     (_UNIFORMS, shaders.uniform),
-    (_LIGHTING, kept_in_lists(_staling("lighting"))),
-    (_TEXTURES, kept_in_lists(_staling("textures"))),
-    (_REST, kept_in_lists(_staling("rest"))),
-    (_LOADS, _load_matrix),
-    (_GETS, _get),
+    (_LIGHTING, kept_in_lists(staling("lighting"))),
+    (_TEXTURES, kept_in_lists(staling("textures"))),
+    (_REST, kept_in_lists(staling("rest"))),
+    (_LOADS, load_matrix),
+    (_GETS, get),
     (_READ_PIXELS, reading.read_pixels),
-    (_READS, _read),
+    (_READS, read),
 )

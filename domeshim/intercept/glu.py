@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from domeshim.intercept import gl
 from domeshim.intercept.dome import Dome
 from domeshim.intercept.quadrics.calls import quadric_calls
+from domeshim.intercept.state_calls import kept_in_lists
 from domeshim.state.perspective import perspective
 
 if TYPE_CHECKING:
@@ -60,7 +61,7 @@ def _read(dome: Dome, original: Call) -> Call:
 
 _UNSEEN = frozenset(("gluErrorString", "gluGetString", "gluNewQuadric", "gluNewTess", "gluNewNurbsRenderer"))
 _CALLS: Mapping[str, Callable[[Dome, Call], Call]] = {
-    "gluPerspective": gl.kept_in_lists(_perspective),
+    "gluPerspective": kept_in_lists(_perspective),
     **dict.fromkeys(
         ("gluSphere", "gluCylinder", "gluDisk", "gluPartialDisk", "gluEndCurve", "gluEndSurface"), _draw
     ),

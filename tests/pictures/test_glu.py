@@ -102,7 +102,7 @@ def tessellated(gl: GL, rule: str, boundary: bool, callbacks: str) -> list[str]:
         )
         gl.gluTessCallback(tess, gl.GLU_TESS_END, lambda: (calls.append("end"), gl.glEnd()))
         gl.gluTessCallback(tess, gl.GLU_TESS_VERTEX, vertex)
-        gl.gluTessCallback(tess, gl.GLU_TESS_EDGE_FLAG, lambda flag: gl.glEdgeFlag(flag))
+        gl.gluTessCallback(tess, gl.GLU_TESS_EDGE_FLAG, gl.glEdgeFlag)
     gl.gluTessCallback(tess, gl.GLU_TESS_COMBINE, combine)
     gl.gluTessProperty(tess, gl.GLU_TESS_WINDING_RULE, getattr(gl, rule))
     gl.gluTessProperty(tess, gl.GLU_TESS_BOUNDARY_ONLY, gl.GL_TRUE if boundary else gl.GL_FALSE)

@@ -147,7 +147,9 @@ def test_current_attributes_last(beside: Beside) -> None:
             gl.glPopAttrib()
             gl.glActiveTexture(gl.GL_TEXTURE1)
             whats = ("COLOR", "NORMAL", "SECONDARY_COLOR", "FOG_COORD", "TEXTURE_COORDS")
-            answers += [np.ravel(gl.glGetFloatv(getattr(gl, f"GL_CURRENT_{what}"))).tolist() for what in whats]
+            answers += [
+                np.ravel(gl.glGetFloatv(getattr(gl, f"GL_CURRENT_{what}"))).tolist() for what in whats
+            ]
             gl.glActiveTexture(gl.GL_TEXTURE0)
         gl.glRectf(-0.2, -0.2, 0.2, 0.2)
         return answers

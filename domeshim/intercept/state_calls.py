@@ -1,0 +1,237 @@
+"""The intercepted calls that change what a draw needs to know, or that ask for it."""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from domeshim.intercept.dome import Dome
+from domeshim.state.perspective import frustum as frustum_matrix
+from domeshim.state.perspective import is_perspective, perspective_part
+from domeshim.state.scene import GROUP_OF
+
+Call = Callable[..., Any]
+Maker = Callable[[Dome, Call], Call]
+
+_TOUCHED = frozenset(
+    (
+        0x0BA2,  # GL_VIEWPORT
+        0x0C10,  # GL_SCISSOR_BOX
+        0x0C11,  # GL_SCISSOR_TEST
+        0x8B8D,  # GL_CURRENT_PROGRAM
+        0x8458,  # GL_COLOR_SUM
+        0x8643,  # GL_VERTEX_PROGRAM_TWO_SIDE
+        0x8642,  # GL_VERTEX_PROGRAM_POINT_SIZE
+        0x8C89,  # GL_RASTERIZER_DISCARD
+        *range(0x3000, 0x3008),  # GL_CLIP_PLANEi
+    )
+)
+"""What the dome changes while it draws: before the program asks for one of these it is put back."""
+_SCISSOR_TEST = 0x0C11
+_CURRENT_COLOR, _RENDER, _TEXTURE0, _PROJECTION = 0x0B00, 0x1C00, 0x84C0, 0x1701
+
+
+def kept_in_lists(make: Maker) -> Maker:
+    """The call acts on the dome: while a display list is built it is kept in the list instead."""
+
+    def making(dome: Dome, original: Call) -> Call:
+        call = make(dome, original)
+
+        def maybe_kept(*args: Any, **named: Any) -> Any:
+            if dome.building is not None and dome.lists is not None:
+                kept = copy.deepcopy(args)
+                return dome.lists.keep(lambda: call(*kept, **named))
+            return call(*args, **named)
+
+        return maybe_kept
+
+    return making
+
+
+def draw(dome: Dome, original: Call) -> Call:
+    """A call that draws at once."""
+
+    def call(*args: Any, **named: Any) -> Any:
+        if dome.context is not None:
+            dome.drawing()
+            dome.context.dress()
+        return original(*args, **named)
+
+    return call
+
+
+def read(dome: Dome, original: Call) -> Call:
+    """A call that must find GL as the program left it."""
+
+    def call(*args: Any, **named: Any) -> Any:
+        if dome.context is not None:
+            dome.context.undress()
+        return original(*args, **named)
+
+    return call
+
+
+def get(dome: Dome, original: Call) -> Call:
+    """glGet and glIsEnabled."""
+
+    def call(name: int, *args: Any) -> Any:
+        if name in _TOUCHED and dome.context is not None:
+            dome.context.undress()
+        return original(name, *args)
+
+    return call
+
+
+def color_material(dome: Dome, original: Call) -> Call:
+    """glColorMaterial: the material keeps the colour that it followed, also one set since the last draw."""
+
+    def call(*args: Any) -> Any:
+        context = dome.context
+        if context is not None:
+            context.driver.integers(_CURRENT_COLOR, 4)  # Mesa hands colours on when it is asked for them
+            context.scene.stale.add("lighting")
+        return original(*args)
+
+    return call
+
+
+def staling(group: str) -> Maker:
+    """A call that changes one group of what the scene is asked for."""
+
+    def make(dome: Dome, original: Call) -> Call:
+        def call(*args: Any, **named: Any) -> Any:
+            if dome.context is not None:
+                dome.context.scene.stale.add(group)
+            return original(*args, **named)
+
+        return call
+
+    return make
+
+
+def switch(dome: Dome, original: Call) -> Call:
+    """glEnable and glDisable."""
+
+    def switch(capability: int) -> Any:
+        context = dome.context
+        if context is not None:
+            if capability in _TOUCHED:
+                context.undress()
+            if capability == _SCISSOR_TEST:
+                context.viewport_changed()
+            else:
+                context.scene.stale.add(GROUP_OF[capability])
+        return original(capability)
+
+    kept = kept_in_lists(lambda _dome, _original: switch)(dome, original)
+
+    def call(capability: int, *args: Any) -> Any:
+        seen = capability in GROUP_OF or capability == _SCISSOR_TEST
+        return kept(capability) if seen else original(capability, *args)
+
+    return call
+
+
+def active_texture(dome: Dome, original: Call) -> Call:
+    """glActiveTexture."""
+
+    def call(texture: int) -> Any:
+        if dome.context is not None:
+            scene = dome.context.scene
+            scene.texture_units = max(scene.texture_units, int(texture) - _TEXTURE0 + 1)
+        return original(texture)
+
+    return call
+
+
+def viewport(dome: Dome, original: Call) -> Call:
+    """glViewport and glScissor."""
+
+    def call(*args: Any, **named: Any) -> Any:
+        if dome.context is not None:
+            dome.context.undress()
+            dome.context.viewport_changed()
+        return original(*args, **named)
+
+    return call
+
+
+def matrix_mode(dome: Dome, original: Call) -> Call:
+    """glMatrixMode."""
+
+    def set_mode(mode: int) -> Any:
+        if dome.context is not None:
+            dome.context.matrix_mode_changed(int(mode))
+        return original(mode)
+
+    kept = kept_in_lists(lambda _dome, _original: set_mode)(dome, original)
+
+    def call(mode: int) -> Any:
+        if dome.building is not None:
+            dome.building.matrix_mode = int(mode)
+        return kept(mode)
+
+    return call
+
+
+def frustum(dome: Dome, original: Call) -> Call:
+    """glFrustum."""
+
+    def call(*planes: float) -> Any:
+        if dome.context is not None and len(planes) == 6:
+            dome.context.perspective_set(frustum_matrix(*planes))
+        return original(*planes)
+
+    return call
+
+
+def load_matrix(dome: Dome, original: Call) -> Call:
+    """glLoadMatrix and glMultMatrix: a perspective may come in either."""
+
+    transposed = "Transpose" in getattr(original, "__name__", "")
+
+    def load(m: Any) -> Any:
+        context = dome.context
+        if context is not None and context.on_projection:
+            matrix = np.array(m, float).reshape(4, 4)
+            matrix = matrix if transposed else matrix.T
+            if is_perspective(matrix):
+                context.perspective_set(perspective_part(matrix))
+        return original(m)
+
+    kept = kept_in_lists(lambda _dome, _original: load)(dome, original)
+
+    def call(m: Any) -> Any:
+        building = dome.building
+        return kept(m) if building is None or building.matrix_mode == _PROJECTION else original(m)
+
+    return call
+
+
+def attributes(dome: Dome, original: Call) -> Call:
+    """glPushAttrib and glPopAttrib: they must see the program's own state, and may change any."""
+
+    def call(*args: Any) -> Any:
+        context = dome.context
+        if context is None:
+            return original(*args)
+        context.undress()
+        result = original(*args)
+        context.anything_changed()
+        return result
+
+    return call
+
+
+def render_mode(dome: Dome, original: Call) -> Call:
+    """GL_SELECT and GL_FEEDBACK answer in the monitor's terms: the dome stays out of them."""
+
+    def call(mode: int) -> Any:
+        if dome.context is not None:
+            dome.context.bypass("render mode", on=mode != _RENDER)
+        return original(mode)
+
+    return call
