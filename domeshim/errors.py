@@ -1,12 +1,12 @@
 """What can go wrong, one tree.
 
-    DomeError                 anything domeshim itself reports
-    ├── OptionError           a DOME* variable or command option is malformed (exit status 2)
-    ├── ScreenError           no window and no off-screen surface could be had
-    ├── DriverError           this machine's GL lacks something that is needed
-    └── ShaderError           the driver refused a shader; quotes its words with our file and line
+DomeError                 anything domeshim itself reports
+├── OptionError           a DOME* variable or command option is malformed (exit status 2)
+├── ScreenError           no window and no off-screen surface could be had
+├── DriverError           this machine's GL lacks something that is needed
+└── ShaderError           the driver refused a shader; quotes its words with our file and line
 
-    ProgramFinished           not an error: ends the user's program once its last wanted frame is taken
+ProgramFinished           not an error: ends the user's program once its last wanted frame is taken
 """
 
 from __future__ import annotations

@@ -65,7 +65,7 @@ class Run:
 
 
 def stretches(blocks: tuple[Block, ...]) -> Iterator[tuple[int, int, int]]:
-    """(mode, first, count) of each draw: touching blocks of one mode whose primitives share nothing are one."""
+    """(mode, first, count) of each draw; touching blocks whose primitives share nothing are one."""
     waiting: tuple[int, int, int] | None = None
     for block in blocks:
         size = INDEPENDENT.get(block.mode)

@@ -95,7 +95,9 @@ def _add_position(draft: Draft, recipe: Recipe) -> None:
     if mapping.place == "panel":
         draft.need("bend/panel")
         draft.need("clip/panel")
-        draft.add(f"gl_Position = bent({bent}, position.z / position.w);", "vec4 inside = insideViewport(position);")
+        draft.add(
+            f"gl_Position = bent({bent}, position.z / position.w);", "vec4 inside = insideViewport(position);"
+        )
         for distance, axis in zip(distances, "xyzw", strict=False):
             draft.add(f"gl_ClipDistance[{distance}] = inside.{axis};")
     else:
@@ -108,7 +110,11 @@ def _varyings(recipe: Recipe) -> list[str]:
     scene = recipe.scene
     faces = ["Front", "Back"] if scene.lighting and scene.lighting.two_sided else ["Front"]
     separate = scene.secondary_color or (scene.lighting is not None and scene.lighting.separate_specular)
-    found = [f"gl_{face}{kind}" for face in faces for kind in (["Color", "SecondaryColor"] if separate else ["Color"])]
+    found = [
+        f"gl_{face}{kind}"
+        for face in faces
+        for kind in (["Color", "SecondaryColor"] if separate else ["Color"])
+    ]
     found += [f"gl_TexCoord[{texture.unit}]" for texture in scene.textures]
     found += ["gl_FogFragCoord"] if scene.fog else []
     return found + [f"gl_ClipDistance[{i}]" for i in (*scene.clip_planes, *recipe.side_distances)]

@@ -145,14 +145,15 @@ sys.exit(app.exec())
 GRAB = """
 import sys, time
 from PIL import ImageGrab
-until = time.monotonic() + 30
+until = time.monotonic() + 60
+seen = None
 while time.monotonic() < until:
-    time.sleep(0.2)
-    image = ImageGrab.grab().convert("RGB")
-    if image.getpixel((150, 150)) != (0, 0, 0):
+    time.sleep(0.5)
+    image, before = ImageGrab.grab().convert("RGB"), seen
+    seen = image.tobytes()
+    if image.getpixel((150, 150)) != (0, 0, 0) and seen == before:
         break
-time.sleep(0.5)
-ImageGrab.grab().convert("RGB").save(sys.argv[1])
+image.save(sys.argv[1])
 """
 
 
