@@ -78,7 +78,7 @@ def compare_dome(row: Row, runs: StockRuns) -> Row:
     try:
         reference = runs.dome()
     except NoPictureError as error:
-        return replace(row, dome=f"no reference: {error}")
+        return replace(row, unjudged=f"no reference: {error}")
     share = match_discs(reference, taken).share
     if share <= LIMIT:
         return replace(row, dome=share)

@@ -84,6 +84,8 @@ class Row:
     monitor: float | str | None = None
     """The share of wrong pixels, or why there is no picture."""
     dome: float | str | None = None
+    unjudged: str = ""
+    """Why the program fails along a face of the cube, where it does."""
     fine: float | str | None = None
     """The dome's share where our picture was taken at FINE_SIZE."""
     repeats: bool = True
@@ -129,6 +131,8 @@ def remark(row: Row) -> str:
         remarks.append("flat")
     if row.split:
         remarks.append("several viewports")
+    if row.unjudged:
+        remarks.append(plain(row.unjudged))
     if not row.repeats:
         remarks.append("another picture at each run")
     elif over and isinstance(row.fine, float) and row.fine <= LIMIT:
@@ -171,7 +175,7 @@ def page(rows: list[Row]) -> str:
     """The whole page."""
     programs = [row for row in rows if row.is_program]
     run = [row for row in programs if row.native is None]
-    judged = [row for row in run if not (row.flat or row.split)]
+    judged = [row for row in run if not (row.flat or row.split or row.unjudged)]
     within = [row for row in judged if isinstance(row.dome, float) and row.dome <= LIMIT]
     lines = [row for row in judged if remark(row) == "thin lines"]
     same = [row for row in run if isinstance(row.monitor, float) and row.monitor <= LIMIT]

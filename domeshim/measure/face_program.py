@@ -148,6 +148,7 @@ def frustum(near: float, far: float) -> np.ndarray[Any, Any]:
     matrix = np.diag([1.0, 1.0, (far + near) / depth, 0.0])
     matrix[2, 3] = 2 * far * near / depth
     matrix[3, 2] = -1.0
+    matrix[3, 3] = 1e-9  # beside the viewer w would be 0, which gluProject takes for an error
     return matrix
 
 

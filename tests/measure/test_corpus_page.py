@@ -35,6 +35,7 @@ MODULE = Row("part.py", is_program=False)
         ({"monitor": 0.3}, "**to do**"),
         ({"on_screen": "ValueError: no"}, "**to do**"),
         ({"dome": None, "stock": replace(STOCK, viewports=2)}, "several viewports"),
+        ({"dome": None, "unjudged": "no reference: ValueError: no"}, "no reference: ValueError: no"),
         ({"dome": "no", "stock": FLAT.stock}, "flat, **to do**"),
     ],
 )
