@@ -15,7 +15,8 @@ from domeshim.draw.split import split_wide
 from domeshim.record.immediate import Block, Run, stretches
 
 if TYPE_CHECKING:
-    from domeshim.state.context import DomeContext, Subdivision
+    from domeshim.state.context import DomeContext
+    from domeshim.state.subdivision import Subdivision
 
 _POINTS, _PATCHES = 0x0000, 0x000E
 _POLYGON_MODE, _POINT, _LINE, _FILL, _CULL_FACE = 0x0B40, 0x1B00, 0x1B01, 0x1B02, 0x0B44
@@ -50,7 +51,7 @@ def subdivide(run: Run, context: DomeContext, drawer: Drawer, subdivision: Subdi
     for kind, mode, whole in patches(run, polygon_mode):
         piece = whole
         if subdivision == "split" and kind != "points":
-            piece = split_wide(whole, 2 if kind == "lines" else 3, context.to_eye, context.widest)
+            piece = split_wide(whole, 2 if kind == "lines" else 3, context.to_eye, context.tolerance.widest)
         context.dress(None if kind == "points" else kind)
         drawer.draw_all(mode, piece)
     return True

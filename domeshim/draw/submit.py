@@ -21,7 +21,8 @@ from domeshim.record.immediate import Block, Immediate, Run, stretches
 from domeshim.shading.recipe import MATERIAL_UNITS
 
 if TYPE_CHECKING:
-    from domeshim.state.context import DomeContext, Subdivision
+    from domeshim.state.context import DomeContext
+    from domeshim.state.subdivision import Subdivision
 
 _FEW = 24
 """Up to so many vertices GL's own glVertex costs less than arrays."""

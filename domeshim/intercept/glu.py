@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from domeshim.intercept import gl
 from domeshim.intercept.dome import Dome
 from domeshim.intercept.quadrics.calls import quadric_calls
-from domeshim.intercept.state_calls import kept_in_lists
+from domeshim.intercept.state_calls import draw, kept_in_lists, read
 from domeshim.state.perspective import perspective
 
 if TYPE_CHECKING:
@@ -40,30 +40,11 @@ def _perspective(dome: Dome, original: Call) -> Call:
     return call
 
 
-def _draw(dome: Dome, original: Call) -> Call:
-    def call(*args: Any, **named: Any) -> Any:
-        if dome.context is not None:
-            dome.drawing()
-            dome.context.dress()
-        return original(*args, **named)
-
-    return call
-
-
-def _read(dome: Dome, original: Call) -> Call:
-    def call(*args: Any, **named: Any) -> Any:
-        if dome.context is not None:
-            dome.context.undress()
-        return original(*args, **named)
-
-    return call
-
-
 _UNSEEN = frozenset(("gluErrorString", "gluGetString", "gluNewQuadric", "gluNewTess", "gluNewNurbsRenderer"))
 _CALLS: Mapping[str, Callable[[Dome, Call], Call]] = {
     "gluPerspective": kept_in_lists(_perspective),
     **dict.fromkeys(
-        ("gluSphere", "gluCylinder", "gluDisk", "gluPartialDisk", "gluEndCurve", "gluEndSurface"), _draw
+        ("gluSphere", "gluCylinder", "gluDisk", "gluPartialDisk", "gluEndCurve", "gluEndSurface"), draw
     ),
-    **dict.fromkeys(("gluProject", "gluUnProject", "gluUnProject4", "gluPickMatrix"), _read),
+    **dict.fromkeys(("gluProject", "gluUnProject", "gluUnProject4", "gluPickMatrix"), read),
 }

@@ -11,14 +11,12 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal
 
 import numpy as np
 
 from domeshim.draw.clear import PartClear
 from domeshim.draw.extent import Extent
 from domeshim.driver import Driver
-from domeshim.lens.detail import pieces_per_radian
 from domeshim.lens.models import Lens, lens_of, rim_radius
 from domeshim.lens.projection import disc_of
 from domeshim.options import Options
@@ -29,6 +27,7 @@ from domeshim.state.placement import Placement, Placer
 from domeshim.state.pointer import Sight
 from domeshim.state.scene import GROUPS, SceneState
 from domeshim.state.scissor import Edges, edges_of, in_view
+from domeshim.state.subdivision import Subdivision, Tolerance
 from domeshim.state.wardrobe import Look, Wardrobe
 from domeshim.window.frame import Frame, Rectangle
 
@@ -36,13 +35,6 @@ _VIEWPORT, _MATRIX_MODE, _MODELVIEW, _PROJECTION, _TEXTURE = 0x0BA2, 0x0BA0, 0x1
 _MODELVIEW_MATRIX, _PROJECTION_MATRIX, _CURRENT_PROGRAM = 0x0BA6, 0x0BA7, 0x8B8D
 _PATCH_VERTICES = 0x8E72
 _SCISSOR_TEST, _SCISSOR_BOX = 0x0C11, 0x0C10
-_MOST_PIECES = 60
-"""A little under the 64 pieces that every driver has."""
-_WIDEST = 1.75
-"""Within this angle a triangle's inside follows its edges."""
-
-
-Subdivision = Literal["pieces", "split"] | None
 
 
 @dataclass(frozen=True)
@@ -271,21 +263,11 @@ class DomeContext:
             return None
         own = self.own.current
         angle = extent.largest_angle(self._to_eye(placement))
-        too_long = angle * self._detail > 1
-        if own is not None:
-            if too_long and not own.own_matrices:
-                self.say_once(
-                    "long edges drawn by the program's own GLSL stay straight: it is not subdivided"
-                )
-            return None
-        if angle > self.widest:
-            return "split"
-        return "pieces" if too_long or self._options.method == "tessellate" else None
-
-    @property
-    def widest(self) -> float:
-        """The angle up to which the GPU subdivides an edge well, radians."""
-        return min(_WIDEST, _MOST_PIECES / self._detail)
+        if own is None:
+            return self.tolerance.subdivision(angle)
+        if self.tolerance.broken_by(angle) and not own.own_matrices:
+            self.say_once("long edges drawn by the program's own GLSL stay straight: it is not subdivided")
+        return None
 
     @property
     def to_eye(self) -> Matrix:
@@ -302,10 +284,9 @@ class DomeContext:
         return True
 
     @cached_property
-    def _detail(self) -> float:
-        """Pieces that an arc of one radian needs."""
-        radius = self._frame.square[2] / 2
-        return pieces_per_radian(self.lens, self._options.fov, radius, self._options.tolerance)
+    def tolerance(self) -> Tolerance:
+        """What the tolerance asks of the lens in this frame."""
+        return Tolerance(self._options, self.lens, self._frame)
 
     @property
     def frame(self) -> Frame:
@@ -316,7 +297,7 @@ class DomeContext:
     def frame(self, frame: Frame) -> None:
         self._frame = frame
         self._projection_stale = True
-        vars(self).pop("_detail", None)
+        vars(self).pop("tolerance", None)
 
     def _to_eye(self, placement: Placement) -> Sequence[float]:
         modelview = self.driver.doubles(_MODELVIEW_MATRIX, 16)
@@ -406,7 +387,7 @@ class DomeContext:
         else:
             outfit = self._wardrobe.outfit(look)
             self._change(_Dressing(outfit.program.name, outfit.enables, self.frame.square, self._scissor))
-            self._wardrobe.send(outfit, look, self._detail)
+            self._wardrobe.send(outfit, look, self.tolerance.detail)
 
     def _change(self, new: _Dressing) -> None:
         """Put on what is not on already, and take off what is too much."""
@@ -431,6 +412,3 @@ class DomeContext:
     def _programs_own(self) -> int:
         """What is bound where the dome's program is not, as far as the dome binds it."""
         return self.own.fragments.name if self.own.fragments else 0
-
-
-ContextMaker = Callable[[Options, Frame, Driver], DomeContext]
