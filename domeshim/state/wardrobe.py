@@ -45,8 +45,6 @@ class Outfit:
     scene: Scene
     """Kept: outfits are found by its identity."""
     enables: tuple[int, ...]
-    sent: tuple[Placement, Edges, float] | None = None
-    """What its uniforms say."""
 
 
 class Wardrobe:
@@ -58,6 +56,8 @@ class Wardrobe:
         self._lens = lens
         self._programs: dict[Recipe, Program] = {}
         self._outfits: dict[tuple[object, ...], Outfit] = {}
+        self._sent: dict[int, tuple[Placement, Edges, float]] = {}
+        """What the uniforms of each program say."""
 
     def outfit(self, look: Look) -> Outfit:
         """What to put on for a draw."""
@@ -99,10 +99,10 @@ class Wardrobe:
         """
         if look.fragments is not None:
             look.fragments.send_to(outfit.program)
-        sent = outfit.sent
+        sent = self._sent.get(outfit.program.name)
         if sent and sent[0] is look.placement and sent[1] is look.edges and sent[2] == detail:
             return
-        outfit.sent = (look.placement, look.edges, detail)
+        self._sent[outfit.program.name] = (look.placement, look.edges, detail)
         if look.patch is not None:
             outfit.program.set("domeDetail", (detail,))
         for name, values in self._uniforms(outfit.mapping, look):

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy import ndimage
 from scipy.spatial import cKDTree
 
 from domeshim.lens.models import Equidistant
@@ -151,3 +152,45 @@ def test_short_edges_are_not_subdivided(beside, monkeypatch):
     assert set(patches) == {None}
     beside.through_dome(lambda gl: triangle(gl, 10), (SIZE, SIZE), fov=180.0)
     assert "triangles" in patches
+
+
+def test_flat_and_smooth_take_turns(beside):
+    def scene(gl):
+        perspective(gl)
+        for model, x in ((gl.GL_SMOOTH, -4), (gl.GL_FLAT, 0), (gl.GL_SMOOTH, 4)):
+            gl.glShadeModel(model)
+            gl.glBegin(gl.GL_TRIANGLES)
+            for color, (dx, dy) in (((1, 0, 0), (-1, -2)), ((0, 1, 0), (1, -2)), ((0, 0, 1), (0, 2))):
+                gl.glColor3f(*color)
+                gl.glVertex3f(x + dx, dy, -3)
+            gl.glEnd()
+
+    picture = beside.through_dome(scene, (SIZE, SIZE), fov=180.0).picture
+    flat = picture[200:312, 236:276].reshape(-1, 3)
+    drawn = flat[flat.max(-1) > 0]
+    assert len(drawn) > 500
+    assert (drawn == [0, 0, 255]).all()
+    for columns in (slice(0, 180), slice(332, SIZE)):
+        smooth = picture[:, columns].reshape(-1, 3)
+        assert len(np.unique(smooth[smooth.max(-1) > 0], axis=0)) > 100
+
+
+def test_each_draw_is_placed_by_its_own_perspective(beside):
+    """Programs shared by draws that lie elsewhere get their uniforms again at each turn."""
+
+    def scene(gl):
+        perspective(gl)
+        for turn in range(4):
+            gl.glMatrixMode(gl.GL_PROJECTION)
+            gl.glPushMatrix()
+            gl.glRotatef(40 * turn, 0, 1, 0)
+            gl.glMatrixMode(gl.GL_MODELVIEW)
+            (gl.glEnable if turn % 2 else gl.glDisable)(gl.GL_LIGHTING)
+            immediately(gl, gl.GL_QUADS, [(-0.3, -0.3, -3), (0.3, -0.3, -3), (0.3, 0.3, -3), (-0.3, 0.3, -3)])
+            gl.glMatrixMode(gl.GL_PROJECTION)
+            gl.glPopMatrix()
+            gl.glMatrixMode(gl.GL_MODELVIEW)
+
+    picture = beside.through_dome(scene, (SIZE, SIZE), fov=300.0).picture.max(-1) > 0
+    _, count = ndimage.label(picture)
+    assert count == 4
