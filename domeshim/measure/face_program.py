@@ -37,6 +37,8 @@ FPS = 60.0
 EPOCH = 1_700_000_000.0
 PATIENCE = 10_000
 """How often a program may read the time within a picture before it is taken to be waiting for it to pass."""
+FAR_OUTSIDE = (1e9, 1e9, 2.0)
+"""Window coordinates that no picture shows."""
 UNFINISHED = 3
 """The exit status of a program that opened a window and ended before the wanted picture."""
 CALLBACKS = ("glutReshapeFunc", "glutIdleFunc", "glutVisibilityFunc")
@@ -136,6 +138,13 @@ def replace_projections(run: Run) -> None:
 
         return orthographic
 
+    def project(*arguments: Any) -> Any:
+        try:
+            return run.originals["gluProject"](*arguments)
+        except ValueError:  # exactly beside this face's viewer, where w is 0
+            return FAR_OUTSIDE
+
+    run.replace(GLU, "gluProject", project)
     run.replace(GLU, "gluPerspective", lambda _fovy, _aspect, near, far: look_along_face(near, far))
     run.replace(GL, "glFrustum", lambda *bounds: look_along_face(*bounds[4:]))
     run.replace(GL, "glOrtho", left_out("glOrtho"))
@@ -148,7 +157,6 @@ def frustum(near: float, far: float) -> np.ndarray[Any, Any]:
     matrix = np.diag([1.0, 1.0, (far + near) / depth, 0.0])
     matrix[2, 3] = 2 * far * near / depth
     matrix[3, 2] = -1.0
-    matrix[3, 3] = 1e-9  # beside the viewer w would be 0, which gluProject takes for an error
     return matrix
 
 
