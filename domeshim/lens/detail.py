@@ -35,3 +35,12 @@ def curvature(lens: Lens, fov: float) -> float:
 def pieces_per_radian(lens: Lens, fov: float, radius: float, tolerance: float) -> float:
     """How many straight pieces an arc of one radian needs; radius of the disc and tolerance in pixels."""
     return float(np.sqrt(radius * curvature(lens, fov) / (8 * tolerance)))
+
+
+def farthest(fov: float, detail: float) -> float:
+    """The angle from the axis, radians, up to which primitives are drawn: half of fov, given in degrees.
+
+    Straight behind there is no direction, and a piece around it would be drawn inside out, over all the disc:
+    the last one and a half pieces before it are left out. detail: pieces an arc of one radian is cut into.
+    """
+    return float(min(np.radians(fov / 2), np.pi - 1.5 / detail))

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from domeshim.driver import Driver
+from domeshim.lens.detail import farthest
 from domeshim.lens.models import Lens
 from domeshim.options import Options
 from domeshim.shading.compose import compose
@@ -105,7 +106,7 @@ class Wardrobe:
         self._sent[outfit.program.name] = (look.placement, look.edges, detail)
         if look.patch is not None:
             outfit.program.set("domeDetail", (detail,))
-        for name, values in self._uniforms(outfit.mapping, look):
+        for name, values in self._uniforms(outfit.mapping, look, detail):
             outfit.program.set(name, values)
 
     def _make(self, look: Look, *, flat: bool, hidden: bool) -> Outfit:
@@ -143,7 +144,7 @@ class Wardrobe:
             attached=shaders,
         )
 
-    def _uniforms(self, mapping: Mapping, look: Look) -> list[tuple[str, tuple[float, ...]]]:
+    def _uniforms(self, mapping: Mapping, look: Look, detail: float) -> list[tuple[str, tuple[float, ...]]]:
         uniforms: list[tuple[str, tuple[float, ...]]] = [("domeLens", self._lens.uniform)]
         if mapping.place == "panel" or mapping.sides:
             uniforms.append(("domeEdges", look.edges.bounds))
@@ -152,7 +153,7 @@ class Wardrobe:
         if mapping.place != "panel" and mapping.method == "vertex":
             uniforms.append(("domeDepth", look.placement.depth))
             if mapping.wide:
-                uniforms.append(("domeRim", (-float(np.cos(np.radians(self._options.fov / 2))),)))
+                uniforms.append(("domeRim", (-float(np.cos(farthest(self._options.fov, detail))),)))
         if mapping.tilted:
             tilt = np.radians(self._options.tilt)
             uniforms.append(("domeTilt", (float(np.cos(tilt)), float(np.sin(tilt)))))

@@ -1,5 +1,5 @@
 // Cone around the anti-axis that a lens of more than 180 degrees leaves out: negative inside.
-// domeRim = -cos(fov / 2).
+// domeRim = -cos(fov / 2), or of an angle a little short of straight behind.
 uniform float domeRim;
 
 float inFront(vec4 p) {

@@ -106,9 +106,9 @@ def test_a_floor_of_one_quad_reaches_the_horizon(beside, way):
     assert wrong.sum() < 0.002 * floor.sum()
 
 
-@pytest.mark.parametrize("fov", [180.0, 220.0])
+@pytest.mark.parametrize(("fov", "covered"), [(180.0, 0.995), (220.0, 0.995), (300.0, 0.995), (360.0, 0.92)])
 @pytest.mark.parametrize("method", ["auto", "tessellate"])
-def test_a_closed_room_has_no_pinhole(beside, fov, method):
+def test_a_closed_room_has_no_pinhole(beside, fov, covered, method):
     def scene(gl):
         perspective(gl)
         gl.glTranslatef(0.3, -0.2, 0.1)
@@ -119,7 +119,7 @@ def test_a_closed_room_has_no_pinhole(beside, fov, method):
 
     picture = beside.through_dome(scene, (SIZE, SIZE), fov=fov, method=method).picture
     column, row = np.meshgrid(*[(np.arange(SIZE) + 0.5) / SIZE * 2 - 1] * 2)
-    inside = np.hypot(column, row) < 0.995
+    inside = np.hypot(column, row) < covered  # straight behind there is no direction
     assert (picture[inside] == 255).all()
 
 
@@ -194,3 +194,15 @@ def test_each_draw_is_placed_by_its_own_perspective(beside):
     picture = beside.through_dome(scene, (SIZE, SIZE), fov=300.0).picture.max(-1) > 0
     _, count = ndimage.label(picture)
     assert count == 4
+
+
+def test_a_wall_behind_the_viewer_is_not_drawn_inside_out(beside):
+    def scene(gl):
+        perspective(gl)
+        immediately(gl, gl.GL_QUADS, [(-1, -1, 2), (1, -1, 2), (1, 1, 2), (-1, 1, 2)])
+
+    picture = beside.through_dome(scene, (SIZE, SIZE), fov=360.0).picture.max(-1) > 0
+    column, row = np.meshgrid(*[(np.arange(SIZE) + 0.5) / SIZE * 2 - 1] * 2)
+    nearest = 1 - np.arctan(np.sqrt(2) / 2) / np.pi  # the wall's corners
+    assert picture.any()
+    assert not picture[np.hypot(column, row) < nearest - 0.01].any()
