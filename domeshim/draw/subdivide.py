@@ -31,7 +31,7 @@ class Drawer(Protocol):
 
 def subdivision_of(run: Run, context: DomeContext) -> Subdivision:
     """What the run needs to keep the tolerance."""
-    extent = extent_of(run)
+    extent = extent_of(run) if context.minds_edges else None
     return context.subdivision(extent) if extent is not None else None
 
 
@@ -77,10 +77,9 @@ def filled(context: DomeContext) -> bool:
 def _shown_polygon_mode(context: DomeContext) -> int | None:
     """GL_FILL, GL_LINE or GL_POINT; None where the two faces differ or one is culled while outlined."""
     front, back = context.driver.integers(_POLYGON_MODE, 2)
-    culled = bool(context.driver.glIsEnabled(_CULL_FACE))
     if front == _FILL and back in (_FILL, 0):
         return _FILL
-    return None if front != back or culled else front
+    return None if front != back or context.driver.glIsEnabled(_CULL_FACE) else front
 
 
 def _primitives(blocks: tuple[Block, ...], polygon_mode: int) -> Iterator[tuple[Kind, Indices]]:

@@ -62,10 +62,7 @@ class Submitter:
         run = recorder.take()
         if not few and not compiling:
             subdivision = subdivision_of(run, context)
-        if subdivision is None or not subdivide(run, context, self, subdivision):
-            context.dress()
-            self.draw_whole(run)
-        self.make_current(run)
+        self.draw_as_needed(run, context, subdivision)
 
     def replay(self, recorder: Immediate) -> None:
         """Make the recorded calls one by one."""
@@ -73,6 +70,13 @@ class Submitter:
             replay(self._driver, recorder, self._setters)
         finally:
             recorder.clear()
+
+    def draw_as_needed(self, run: Run, context: DomeContext, subdivision: Subdivision) -> None:
+        """Draw a run onto the dome, in patches if it needs them, and leave its last attributes current."""
+        if subdivision is None or not subdivide(run, context, self, subdivision):
+            context.dress()
+            self.draw_whole(run)
+        self.make_current(run)
 
     def draw(self, run: Run) -> None:
         """Draw a run from arrays."""
@@ -192,7 +196,7 @@ class Submitter:
 
 def _subdivision_of_few(recorder: Immediate, context: DomeContext) -> Subdivision:
     """What a few vertices need to keep the tolerance."""
-    if not recorder.blocks or recorder.extras:
+    if not recorder.blocks or recorder.extras or not context.minds_edges:
         return None
     return context.subdivision(Extent.of_few(recorder.positions))
 

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from domeshim.intercept.dome import Dome
+from domeshim.record.arrays import Elements
 
 Call = Callable[..., Any]
 
@@ -16,18 +17,7 @@ def draw_arrays(dome: Dome, original: Call) -> Call:
     """glDrawArrays."""
 
     def call(mode: int, first: int, count: int) -> Any:
-        context = dome.context
-        if context is None:
-            return original(mode, first, count)
-        dome.drawing()
-        if (
-            context.may_subdivide
-            and mode != _POINTS
-            and dome.draw_arrays(int(mode), range(first, first + count))
-        ):
-            return None
-        context.dress()
-        return original(mode, first, count)
+        return _draw(dome, mode, lambda: range(first, first + count), lambda: original(mode, first, count))
 
     return call
 
@@ -36,16 +26,12 @@ def draw_elements(dome: Dome, original: Call) -> Call:
     """glDrawElements."""
 
     def call(mode: int, count: int, type: int, indices: Any) -> Any:  # noqa: A002 - PyOpenGL's own name
-        context = dome.context
-        if context is None:
-            return original(mode, count, type, indices)
-        dome.drawing()
-        if context.may_subdivide and mode != _POINTS:
-            elements = dome.read_elements(int(count), int(type), indices)
-            if dome.draw_arrays(int(mode), elements):
-                return None
-        context.dress()
-        return original(mode, count, type, indices)
+        return _draw(
+            dome,
+            mode,
+            lambda: dome.read_elements(int(count), int(type), indices),
+            lambda: original(mode, count, type, indices),
+        )
 
     return call
 
@@ -54,12 +40,28 @@ def draw_range_elements(dome: Dome, original: Call) -> Call:
     """glDrawRangeElements."""
 
     def call(mode: int, start: int, end: int, count: int, type: int, indices: Any) -> Any:  # noqa: A002
-        def whole(*_: Any) -> Any:
-            return original(mode, start, end, count, type, indices)
-
-        return draw_elements(dome, whole)(mode, count, type, indices)
+        return _draw(
+            dome,
+            mode,
+            lambda: dome.read_elements(int(count), int(type), indices),
+            lambda: original(mode, start, end, count, type, indices),
+        )
 
     return call
+
+
+def _draw(
+    dome: Dome, mode: int, vertices: Callable[[], range | Elements], whole: Callable[[], object]
+) -> object:
+    """Draw from arrays in patches where that is needed, else whole, by GL's own call."""
+    context = dome.context
+    if context is None:
+        return whole()
+    dome.drawing()
+    if context.may_subdivide and mode != _POINTS and dome.draw_arrays(int(mode), vertices()):
+        return None
+    context.dress()
+    return whole()
 
 
 def writes_buffer(dome: Dome, original: Call) -> Call:

@@ -13,7 +13,6 @@ from domeshim.draw.extent import Extent
 from domeshim.draw.listed import ListedMesh
 from domeshim.draw.materials import material_run
 from domeshim.draw.rim import Rim
-from domeshim.draw.subdivide import subdivide
 from domeshim.draw.submit import Submitter
 from domeshim.driver import Driver
 from domeshim.record.arrays import ArrayReader, Elements
@@ -156,12 +155,12 @@ class Dome:
         """What was recorded for a display list becomes a mesh of its own there."""
         recorder, current = self.recorder, self._current
         assert current is not None
-        return (
-            bool(recorder.blocks)
-            and not recorder.sets_late
-            and building.meshes < _MESHES_OF_A_LIST
-            and current.context.may_subdivide
-        )
+        return bool(recorder.blocks) and not recorder.sets_late and self._takes_mesh(building, current)
+
+    @staticmethod
+    def _takes_mesh(building: Building, current: WindowDome) -> bool:
+        """A display list has room for one more mesh of its own."""
+        return building.meshes < _MESHES_OF_A_LIST and current.context.may_subdivide
 
     def keep_mesh(self, run: Run) -> None:
         """Put a run into the display list that is being built, to be drawn as each call's view needs."""
@@ -180,7 +179,7 @@ class Dome:
         if draw is None:
             return False
         if self.building is not None:
-            if self.building.meshes >= _MESHES_OF_A_LIST:
+            if not self._takes_mesh(self.building, current):
                 return False
             self.keep_mesh(draw.read())
             return True
@@ -201,15 +200,12 @@ class Dome:
             if any(np.isnan(values[0]).any() for values in run.attributes.values()):
                 current.lists.keep(lambda: self.draw_run(run, extent))
                 return
-            if building.meshes < _MESHES_OF_A_LIST and context.may_subdivide:
+            if self._takes_mesh(building, current):
                 self.keep_mesh(run)
                 return
             building.used = True
         subdivision = context.subdivision(extent) if extent is not None else None
-        if subdivision is None or not subdivide(run, context, current.submitter, subdivision):
-            context.dress()
-            current.submitter.draw_whole(run)
-        current.submitter.make_current(run)
+        current.submitter.draw_as_needed(run, context, subdivision)
 
     def read_elements(self, count: int, kind: int, indices: object) -> Elements:
         """glDrawElements' indices, wherever they lie."""

@@ -249,13 +249,18 @@ class DomeContext:
                 self.driver.glPatchParameteri(_PATCH_VERTICES, 2 if patch == "lines" else 3)
 
     @property
+    def minds_edges(self) -> bool:
+        """How long the edges of what is drawn now are makes a difference."""
+        return not self.compiling and not self._bypasses and self._can_subdivide
+
+    @property
     def may_subdivide(self) -> bool:
         """What is drawn now could be subdivided."""
         return not self._bypasses and self.own.current is None and self._can_subdivide
 
     def subdivision(self, extent: Extent) -> Subdivision:
         """What a mesh needs to keep the tolerance: nothing, pieces of its edges, or to be split first."""
-        if self.compiling or self._bypasses or not self._can_subdivide:
+        if not self.minds_edges:
             return None
         self._uncover()
         placement = self._see_placement()
