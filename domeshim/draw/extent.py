@@ -25,6 +25,11 @@ class Extent:
         return cls._of_box(low.tolist(), high.tolist(), longest)
 
     @classmethod
+    def unknown(cls) -> Extent:
+        """Of vertices whose fourth coordinate puts them anywhere."""
+        return cls((0.0, 0.0, 0.0), math.inf, math.inf)
+
+    @classmethod
     def of_few(cls, positions: Sequence[float]) -> Extent:
         """The extent of a few vertices, x, y, z in a row; no edge is longer than their box's diagonal."""
         axes = [positions[axis::3] for axis in range(3)]

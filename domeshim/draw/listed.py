@@ -34,18 +34,13 @@ class ListedMesh:
         subdivision = context.subdivision(self._extent) if self._extent is not None else None
         if subdivision == "split" or (subdivision and not filled(context)):
             if not subdivide(self._run, context, self._submitter, subdivision):
-                self._draw_whole()
+                context.call_list(self._whole)
         elif subdivision:
             for kind, name in self._in_patches():
-                context.dress(None if kind == "points" else kind)
-                context.driver.glCallList(name)
+                context.call_list(name, None if kind == "points" else kind)
         else:
-            self._draw_whole()
+            context.call_list(self._whole)
         self._submitter.make_current(self._run)
-
-    def _draw_whole(self) -> None:
-        self._context.dress()
-        self._context.driver.glCallList(self._whole)
 
     def names(self) -> list[int]:
         """The GL lists that it has made, to be deleted with it."""

@@ -40,6 +40,8 @@ def extent_of(run: Run) -> Extent | None:
     primitives = [indices for kind, indices in _joined(_primitives(run.blocks, _FILL)) if kind != "points"]
     if not primitives or "edge" in run.attributes:
         return None
+    if run.positions.shape[1] == 4:
+        return Extent.unknown()
     return Extent.of(run.positions, max(longest_edge(run.positions, indices) for indices in primitives))
 
 

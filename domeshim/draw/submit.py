@@ -198,7 +198,8 @@ def _subdivision_of_few(recorder: Immediate, context: DomeContext) -> Subdivisio
     """What a few vertices need to keep the tolerance."""
     if not recorder.blocks or recorder.extras or not context.minds_edges:
         return None
-    return context.subdivision(Extent.of_few(recorder.positions))
+    extent = Extent.unknown() if recorder.has_w else Extent.of_few(recorder.positions)
+    return context.subdivision(extent)
 
 
 def _draws(blocks: tuple[Block, ...]) -> Iterator[tuple[int, list[int], list[int]]]:

@@ -8,8 +8,6 @@ from typing import Any
 import numpy as np
 
 from domeshim.intercept.dome import Dome
-from domeshim.record.lists import DisplayLists
-from domeshim.state.context import DomeContext
 
 Call = Callable[..., Any]
 
@@ -53,7 +51,7 @@ def end_list(dome: Dome, original: Call) -> Call:
             built = lists.end()
             if built.execute:
                 dome.drawing()
-                _run(context, lists, built.name)
+                lists.run(built.name, context.call_list)
         return result
 
     return call
@@ -66,7 +64,7 @@ def call_list(dome: Dome, original: Call) -> Call:
         if dome.context is None or dome.lists is None:
             return original(name)
         dome.drawing()
-        _run(dome.context, dome.lists, int(name))
+        dome.lists.run(int(name), dome.context.call_list)
         return None
 
     return call
@@ -86,7 +84,7 @@ def call_lists(dome: Dome, original: Call) -> Call:
         base = context.driver.integer(_LIST_BASE)
         names = args if len(args) == 1 else (args[2], int(args[1]), int(args[0]))
         for offset in _offsets(*names):
-            _run(context, lists, base + offset)
+            lists.run(base + offset, context.call_list)
         return None
 
     return call
@@ -101,14 +99,6 @@ def delete_lists(dome: Dome, original: Call) -> Call:
         return original(name, count)
 
     return call
-
-
-def _run(context: DomeContext, lists: DisplayLists, name: int) -> None:
-    def call_own(part: int) -> None:
-        context.dress()
-        context.driver.glCallList(part)
-
-    lists.run(name, call_own)
 
 
 _BYTES = {0x1407: 2, 0x1408: 3, 0x1409: 4}

@@ -248,6 +248,11 @@ class DomeContext:
             if patch is not None:
                 self.driver.glPatchParameteri(_PATCH_VERTICES, 2 if patch == "lines" else 3)
 
+    def call_list(self, name: int, patch: Patch = None) -> None:
+        """Draw one of GL's own lists; patch: as for dress."""
+        self.dress(patch)
+        self.driver.glCallList(name)
+
     @property
     def minds_edges(self) -> bool:
         """How long the edges of what is drawn now are makes a difference."""

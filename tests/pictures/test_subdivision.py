@@ -206,3 +206,22 @@ def test_a_wall_behind_the_viewer_is_not_drawn_inside_out(beside):
     nearest = 1 - np.arctan(np.sqrt(2) / 2) / np.pi  # the wall's corners
     assert picture.any()
     assert not picture[np.hypot(column, row) < nearest - 0.01].any()
+
+
+def test_a_fourth_coordinate_counts(beside):
+    """Vertices that look close together, and are far apart once divided by w."""
+
+    def scene(gl):
+        perspective(gl)
+        gl.glTranslatef(0, 0.5, -3)
+        gl.glBegin(gl.GL_LINES)
+        gl.glVertex4f(-0.1, 0, 0, 0.02)
+        gl.glVertex4f(0.1, 0, 0, 0.02)
+        gl.glEnd()
+
+    picture = beside.through_dome(scene, (SIZE, SIZE), fov=180.0, tolerance=0.1).picture
+    rows, columns = np.nonzero(picture.max(-1) > 128)
+    drawn = np.stack([columns, rows], -1).astype(float)
+    assert len(drawn) > 100
+    curve = true_curve((-5, 0.5, -3), (5, 0.5, -3), 180.0)
+    assert cKDTree(curve).query(drawn)[0].max() < 0.1 + 0.75
