@@ -215,8 +215,8 @@ def test_a_fourth_coordinate_counts(beside):
         perspective(gl)
         gl.glTranslatef(0, 0.5, -3)
         gl.glBegin(gl.GL_LINES)
-        gl.glVertex4f(-0.1, 0, 0, 0.02)
-        gl.glVertex4f(0.1, 0, 0, 0.02)
+        gl.glVertex4f(-0.01, 0, 0, 0.002)
+        gl.glVertex4f(0.01, 0, 0, 0.002)
         gl.glEnd()
 
     picture = beside.through_dome(scene, (SIZE, SIZE), fov=180.0, tolerance=0.1).picture
