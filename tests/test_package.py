@@ -63,7 +63,7 @@ def test_the_wheel_holds_the_package_the_snippets_and_the_hook(checkout, tmp_pat
     snippets = {path.relative_to(checkout).as_posix() for path in (checkout / "glsl").rglob("*.glsl")}
     assert snippets
     assert {f"domeshim/{snippet}" for snippet in snippets} <= names
-    assert {"domeshim/cli.py", "domeshim/py.typed"} <= names
+    assert {"domeshim/cli/run.py", "domeshim/py.typed"} <= names
     tops = {name.partition("/")[0] for name in names}
     assert {name for name in tops if not name.endswith(".dist-info")} == {"domeshim", *HOOK}
     [entry_points] = (name for name in names if name.endswith("entry_points.txt"))

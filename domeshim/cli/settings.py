@@ -1,0 +1,75 @@
+"""What several commands are told: the dome's settings, the program, a size."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import click
+
+from domeshim.errors import OptionError
+from domeshim.options import ACCEPTED, LARGEST_SIDE, Options, parse_size
+
+Job = Callable[[], None]
+"""What a command found to be done. Run outside of click, which has its own ideas of how a program may end."""
+Command = Callable[..., Job]
+
+FIELDS = ("fov", "tilt", "lens", "method", "tolerance", "hud", "panel", "fill", "frame", "display")
+"""The fields of Options that domeshim run can be told."""
+FIELDS_OFF_SCREEN = tuple(field for field in FIELDS if field not in ("frame", "display"))
+"""Those that mean something where no window is shown."""
+AS_TYPED = {"allow_interspersed_args": False}
+"""Context settings of a command that runs a program: what follows the program's name is the program's."""
+
+
+def dome_options(fields: tuple[str, ...]) -> Callable[[Command], Command]:
+    """The options that go by the name of a DOME_* variable, and win over it."""
+
+    def add(command: Command) -> Command:
+        for field in reversed(fields):
+            command = click.option(f"--{field}", metavar="VALUE", help=f"{ACCEPTED[field]}.")(command)
+        return command
+
+    return add
+
+
+def program(command: Command) -> Command:
+    """The arguments that name a program to run: prog, args and module."""
+    for argument in (
+        click.argument("args", nargs=-1, type=click.UNPROCESSED),
+        click.argument("prog"),
+        click.option("-m", "module", is_flag=True, help="PROG is a module's name, as for python -m."),
+    ):
+        command = argument(command)
+    return command
+
+
+def options_given(enabled: bool, given: dict[str, str | None]) -> Options:
+    """The Options by the environment and by a command's own options, which win.
+
+    Raises OptionError.
+    """
+    texts = {field: text for field, text in given.items() if text is not None}
+    return Options.from_environment(given={**texts, "enabled": str(int(enabled))})
+
+
+def parse_window_size(option: str, text: str) -> tuple[int, int]:
+    """Width and height in pixels from S or WxH.
+
+    Raises OptionError, in the name of the option.
+    """
+    try:
+        return parse_size(f"{text}x{text}" if text.strip().isdecimal() else text.lower())
+    except ValueError as error:
+        accepted = f"S or WxH in pixels, each 1 to {LARGEST_SIDE}"
+        raise OptionError(f"{option}={text}: {error}; accepted: {accepted}") from None
+
+
+def size(_context: click.Context, parameter: click.Parameter, text: str) -> tuple[int, int]:
+    """The callback of an option that takes a window's size."""
+    return parse_window_size(parameter.opts[0], text)
+
+
+def positive(default: float) -> dict[str, Any]:
+    """The arguments of an option that takes a number over 0, and shows its default."""
+    return {"type": click.FloatRange(min=0, min_open=True), "default": default, "show_default": True}
