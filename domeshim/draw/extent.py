@@ -41,6 +41,25 @@ class Extent:
         diagonal = math.dist(low, high)
         return cls((x, y, z), diagonal / 2, min(longest, diagonal))
 
+    def surely_seen_from(self, to_eye: Sequence[float], distance: float) -> bool:
+        """The mesh is so far away that no edge needs a closer look: quickly said, and False where in doubt.
+
+        to_eye: as for largest_angle; distance: from where an edge of length 1 still keeps the tolerance. How
+        much the matrix lengthens a vector is bounded by the root of the sum of its squares.
+        """
+        ax, ay, az, aw, bx, by, bz, bw, cx, cy, cz, cw, tx, ty, tz, tw = to_eye
+        if aw or bw or cw or tw != 1:
+            return False
+        x, y, z = self.centre
+        px, py, pz = (
+            ax * x + bx * y + cx * z + tx,
+            ay * x + by * y + cy * z + ty,
+            az * x + bz * y + cz * z + tz,
+        )
+        needed = self.radius + distance * self.longest
+        squares = ax * ax + ay * ay + az * az + bx * bx + by * by + bz * bz + cx * cx + cy * cy + cz * cz
+        return px * px + py * py + pz * pz > squares * needed * needed
+
     def largest_angle(self, to_eye: Sequence[float]) -> float:
         """No edge subtends more than this angle, radians; pi where nothing better can be said.
 

@@ -272,7 +272,10 @@ class DomeContext:
         if placement.hud and self._options.hud != "panel":
             return None
         own = self.own.current
-        angle = extent.largest_angle(self._to_eye(placement))
+        to_eye = self._to_eye(placement)
+        if extent.surely_seen_from(to_eye, self.tolerance.far):
+            return None
+        angle = extent.largest_angle(to_eye)
         if own is None:
             return self.tolerance.subdivision(angle)
         if self.tolerance.broken_by(angle) and not own.own_matrices:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Literal
 
 from domeshim.lens.detail import pieces_per_radian
@@ -27,6 +28,9 @@ class Tolerance:
         """How many pieces an arc of one radian needs."""
         self.widest = min(_WIDEST, _MOST_PIECES / self.detail)
         """The angle up to which the GPU subdivides an edge well, radians."""
+        whole = min(1 / self.detail, math.pi / 2) if options.method == "auto" else 0.0
+        self.far = 0.5 / math.tan(whole / 2) if whole else math.inf
+        """From how far an edge of length 1 surely needs nothing, if anything does not."""
 
     def broken_by(self, angle: float) -> bool:
         """An edge of this angle, radians, is off by too much as one straight piece."""

@@ -29,6 +29,9 @@ def test_no_edge_subtends_more_than_the_bound(seed, size, shear):
     few = Extent.of_few(points.ravel().tolist())
     assert exact.largest_angle(matrix) >= largest - 1e-9
     assert few.largest_angle(matrix) >= largest - 1e-9
+    for allowed in (0.01, 0.1, 1.0):
+        if exact.surely_seen_from(matrix, 0.5 / np.tan(allowed / 2)):
+            assert largest <= allowed + 1e-9
 
 
 def test_bound_is_close_for_a_short_edge_ahead():
@@ -40,3 +43,11 @@ def test_projective_matrix_bounds_nothing():
     matrix = np.eye(4)
     matrix[3, 2] = -1
     assert Extent.of_few([0, 0, -1, 1, 0, -1]).largest_angle(matrix.T.ravel().tolist()) == np.pi
+
+
+def test_what_is_far_is_quickly_said():
+    extent = Extent.of_few([-0.5, 0, -10, 0.5, 0, -10])
+    matrix = np.eye(4).T.ravel().tolist()
+    assert extent.surely_seen_from(matrix, 4.0)
+    assert not extent.surely_seen_from(matrix, 10.0)
+    assert not Extent.unknown().surely_seen_from(matrix, 0.0)
