@@ -107,7 +107,7 @@ class Dome:
         """Where the program would see a place of the frame in its window; pixels, origin at the top left."""
         if window not in self._windows:
             return x, y  # its pictures are left as they are
-        sight = self._windows[window].context.sight
+        sight = self._windows[window].context.pixels.sight
         place = sight.to_program(np.array([x, sight.frame.size[1] - y]))
         return float(place[0]), float(sight.frame.program_size[1] - place[1])
 
@@ -115,7 +115,7 @@ class Dome:
         """Where a place of the program's window is in the frame; pixels, origin at the top left."""
         if window not in self._windows:
             return x, y
-        sight = self._windows[window].context.sight
+        sight = self._windows[window].context.pixels.sight
         place = sight.to_frame(np.array([x, sight.frame.program_size[1] - y]))
         return float(place[0]), float(sight.frame.size[1] - place[1])
 

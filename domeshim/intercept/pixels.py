@@ -32,10 +32,10 @@ def window_position(dome: Dome, original: Call) -> Call:
 
     def call(*args: Any) -> Any:
         context = dome.context
-        if context is None or not context.places_pixels:
+        if context is None or not context.pixels.placed:
             return original(*args)
         x, y, z = (*_numbers(args), 0.0)[:3]
-        place = context.window_position(x, y, z)
+        place = context.pixels.position(x, y, z)
         if place is not None:
             context.driver.glWindowPos3f(*place)
             return None
@@ -59,12 +59,12 @@ def clear(dome: Dome, original: Call) -> Call:
         if context is None:
             return original(mask)
         context.undress()
-        if context.scissor_cuts:
+        if context.pixels.scissor_cuts:
             _clear_part(dome, context, int(mask))
             mask = int(mask) & ~_DRAWN
             if not mask:
                 return None
-        with context.unscissored():
+        with context.pixels.unscissored():
             return original(mask)
 
     return call
@@ -76,4 +76,4 @@ _DRAWN = 0x4500
 
 def _clear_part(dome: Dome, context: DomeContext, mask: int) -> None:
     dome.clearing()
-    context.clear_part(mask & _DRAWN)
+    context.pixels.clear_part(mask & _DRAWN)

@@ -80,7 +80,7 @@ def _reads_window(context: DomeContext, area: tuple[int, int, int, int], kind: i
     """The request is for what the dome has drawn."""
     gl = context.driver
     return (
-        context.places_pixels
+        context.pixels.placed
         and min(area[2:]) > 0
         and gl.has("glBindFramebuffer")
         and not gl.integer(_READ_FRAMEBUFFER_BINDING)
@@ -93,7 +93,7 @@ def _pixels_of(context: DomeContext, area: tuple[int, int, int, int], kind: int)
     frame = context.frame
     size, stencil = max(area[2:]), kind in (_STENCIL_INDEX, _DEPTH_STENCIL)
     if kind == _DEPTH_COMPONENT or size <= (1 if stencil else PICKED):
-        return np.floor(context.sight.to_frame(_places(area))).astype(np.int64)
+        return np.floor(context.pixels.sight.to_frame(_places(area))).astype(np.int64)
     if stencil:
         context.say_once("glReadPixels of stencil areas reads the dome's picture, not the program's window")
         return None
@@ -117,7 +117,7 @@ def _colours(context: DomeContext, pixels: Pixels) -> NDArray[Any]:
 
 def _depths(context: DomeContext, pixels: Pixels) -> NDArray[Any]:
     """(height, width) single-precision depths of the monitor; the clear value where nothing is."""
-    gl, sight = context.driver, context.sight
+    gl, sight = context.driver, context.pixels.sight
     cleared = np.float32(gl.doubles(_DEPTH_CLEAR_VALUE, 1)[0])
     found = _gathered(context, pixels, _DEPTH_COMPONENT, cleared)
     near, far = gl.doubles(_DEPTH_RANGE, 2)
@@ -137,7 +137,9 @@ def _gathered(
     """What these pixels of the frame hold, read in one rectangle; missing: what those off the dome do."""
     values = np.empty((*pixels.shape[:2], *missing.shape), missing.dtype)
     values[...] = missing
-    inside = ((pixels >= 0) & (pixels < context.frame.size)).all(-1) & context.sight.within(pixels + 0.5)
+    inside = ((pixels >= 0) & (pixels < context.frame.size)).all(-1) & context.pixels.sight.within(
+        pixels + 0.5
+    )
     if inside.any():
         columns, rows = pixels[inside].T
         left, bottom = int(columns.min()), int(rows.min())

@@ -7,28 +7,25 @@ the monitor (DESIGN 2.1). The dome's own state is on only while draws follow eac
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
-from domeshim.draw.clear import PartClear
 from domeshim.draw.extent import Extent
 from domeshim.driver import Driver
 from domeshim.lens.models import Lens, lens_of, rim_radius
-from domeshim.lens.projection import disc_of
 from domeshim.options import Options
 from domeshim.shading.recipe import Patch, Scene
 from domeshim.state.own_programs import OwnPrograms
 from domeshim.state.perspective import Matrix
 from domeshim.state.placement import Placement, Placer
-from domeshim.state.pointer import Sight
 from domeshim.state.scene import GROUPS, SceneState
-from domeshim.state.scissor import Edges, edges_of, in_view
+from domeshim.state.scissor import Edges, edges_of
 from domeshim.state.subdivision import Subdivision, Tolerance
 from domeshim.state.wardrobe import Look, Wardrobe
+from domeshim.state.window_pixels import WindowPixels
 from domeshim.window.frame import Frame, Rectangle
 
 _VIEWPORT, _MATRIX_MODE, _MODELVIEW, _PROJECTION, _TEXTURE = 0x0BA2, 0x0BA0, 0x1700, 0x1701, 0x1702
@@ -38,12 +35,27 @@ _SCISSOR_TEST, _SCISSOR_BOX = 0x0C11, 0x0C10
 
 
 @dataclass(frozen=True)
+class Seen:
+    """What GL said of where draws go."""
+
+    viewport: Rectangle
+    scissor: Rectangle | None
+    """None: off."""
+    edges: Edges
+    """What the scissor leaves of the viewport."""
+    projection: Matrix
+    placement: Placement
+
+
+@dataclass(frozen=True)
 class _Dressing:
     """All that is on while the dome draws, and off again before the program could notice."""
 
     program: int
     enables: tuple[int, ...]
     viewport: Rectangle
+    programs: Rectangle
+    """The program's own viewport."""
     scissor: Rectangle | None
     """The program's own, while it is off."""
 
@@ -63,16 +75,13 @@ class DomeContext:
         """A display list is being compiled: nothing of ours may get into it."""
         self._options = options
         self._wardrobe = Wardrobe(driver, options, self.lens)
+        self.pixels = WindowPixels(self, options)
         self._bypasses: set[str] = set()
         self._said: set[str] = set()
         self._projection_stale = True
         self._matrix_mode = driver.integer(_MATRIX_MODE)
-        self._viewport: Rectangle = (0, 0, *frame.program_size)
-        self._placement: Placement | None = None
-        self._scissor: Rectangle | None = None
-        self._edges = Edges()
+        self._seen: Seen | None = None
         self._raster = False
-        self._projection: Matrix = np.eye(4)
         self._dressing: _Dressing | None = None
         self._patch: Patch = None
 
@@ -151,6 +160,15 @@ class DomeContext:
         self.dress()
         return self._dressing is not None and self._dressing.program != 0
 
+    @property
+    def bypassed(self) -> bool:
+        """Draws go to GL as the program makes them."""
+        return bool(self._bypasses)
+
+    def hides(self, placement: Placement) -> bool:
+        """The user wants nothing of what is drawn there."""
+        return self._wardrobe.hides(placement)
+
     def bypass(self, reason: str, on: bool) -> None:
         """While any reason is on, draws go to GL as the program makes them."""
         (self._bypasses.add if on else self._bypasses.discard)(reason)
@@ -161,72 +179,6 @@ class DomeContext:
         if text not in self._said:
             self._said.add(text)
             print(f"domeshim: {text}", file=sys.stderr)
-
-    # Pixels: what has a place in the program's window.
-
-    @property
-    def places_pixels(self) -> bool:
-        """A place in the program's window is another one in the frame."""
-        return not self.compiling and not self._bypasses
-
-    def window_position(self, x: float, y: float, depth: float) -> tuple[float, float, float] | None:
-        """Where a point of the program's window, and the depth there, are in the frame; None: hidden."""
-        self._uncover()
-        placement = self._see_placement()
-        if self.placer.has_perspective and self._options.hud == "off":
-            return None
-        if self.placer.has_perspective and self._options.hud == "flat":
-            return (*self.frame.flat((round(x), round(y), 0, 0))[:2], depth)
-        main = self.placer.through_window(self.frame)
-        direction = main.direction(x, y)
-        disc = disc_of(direction, self.lens, self._options.tilt)
-        x0, y0, side, _ = self.frame.square
-        if placement.place != "panel":
-            a, b = placement.depth
-            depth = (a + b / main.distance(depth, direction) + 1) / 2
-        return float(x0 + (disc[0] + 1) * side / 2), float(y0 + (disc[1] + 1) * side / 2), depth
-
-    @property
-    def sight(self) -> Sight:
-        """How the program's window lies on the dome, by the last main view that was drawn."""
-        view = self.placer.through_window(self.frame)
-        paper = self._options.method == "paper"
-        return Sight(view, self.frame, self.lens, self.rim, self._options.tilt, paper)
-
-    @property
-    def scissor_cuts(self) -> bool:
-        """The program's scissor leaves out a part of its window; the context must be undressed."""
-        if self._projection_stale or self._dressing is None:
-            self._see_placement()
-        x, y, w, h = self._scissor or (0, 0, *self.frame.program_size)
-        return x > 0 or y > 0 or x + w < self.frame.program_size[0] or y + h < self.frame.program_size[1]
-
-    @contextmanager
-    def unscissored(self) -> Iterator[None]:
-        """Within it a scissor that leaves out nothing of the program's window does so of the frame."""
-        if self._scissor is None:
-            yield
-            return
-        self.driver.glDisable(_SCISSOR_TEST)
-        try:
-            yield
-        finally:
-            self.driver.glEnable(_SCISSOR_TEST)
-
-    def clear_part(self, mask: int) -> None:
-        """glClear what the scissor leaves of the program's window; the context must be undressed."""
-        placement = self._see_placement()
-        main = self.placer.through_window(self.frame)
-        if self._edges.empty or self._scissor is None or self._wardrobe.hides(placement):
-            return
-        edges = self._edges
-        if placement.place == "panel":
-            edges = Edges(in_view(self._scissor, main.viewport), (0, 1, 2, 3))
-        self._part_clear.clear(mask, self.frame, main.camera[[0, 1, 3], :3], edges)
-
-    @cached_property
-    def _part_clear(self) -> PartClear:
-        return PartClear(self.driver, self.lens, self._options.fov, self._options.tilt)
 
     # Around the draws.
 
@@ -267,8 +219,7 @@ class DomeContext:
         """What a mesh needs to keep the tolerance: nothing, pieces of its edges, or to be split first."""
         if not self.minds_edges:
             return None
-        self._uncover()
-        placement = self._see_placement()
+        placement = self.seen.placement
         if placement.hud and self._options.hud != "panel":
             return None
         own = self.own.current
@@ -285,7 +236,7 @@ class DomeContext:
     @property
     def to_eye(self) -> Matrix:
         """(4, 4): the space of the vertices that are drawn now -> the dome's eye space."""
-        return np.array(self._to_eye(self._see_placement())).reshape(4, 4).T
+        return np.array(self._to_eye(self.seen.placement)).reshape(4, 4).T
 
     @cached_property
     def _can_subdivide(self) -> bool:
@@ -333,14 +284,14 @@ class DomeContext:
         if dressing.scissor is not None:
             gl.glScissor(*dressing.scissor)
             gl.glEnable(_SCISSOR_TEST)
-        if dressing.viewport != self._viewport:
-            gl.glViewport(*self._viewport)
+        if dressing.viewport != dressing.programs:
+            gl.glViewport(*dressing.programs)
         if dressing.program:
             gl.glUseProgram(self._programs_own)
 
     def _uncover(self) -> None:
         """Undress if GL is about to be asked for what the dome changes."""
-        if self._placement_stale or "rest" in self.scene.stale:
+        if self._seen is None or self._placement_stale or "rest" in self.scene.stale:
             self.undress()
 
     @property
@@ -356,25 +307,27 @@ class DomeContext:
             or self.placer.on_modelview
         )
 
-    def _look(self) -> tuple[Placement, Scene]:
+    def _look(self) -> tuple[Seen, Scene]:
         if self._matrix_mode == _TEXTURE:
             self.scene.stale.add("textures")
-        return self._see_placement(), self.scene.scene()
+        return self.seen, self.scene.scene()
 
-    def _see_placement(self) -> Placement:
-        if self._placement is None or self._placement_stale:
-            self._placement = self._ask_placement()
-        return self._placement
+    @property
+    def seen(self) -> Seen:
+        """Where what is drawn now belongs; asked of GL again only where it may have changed."""
+        if self._seen is None or self._placement_stale:
+            self.undress()
+            self._seen = self._ask()
+        return self._seen
 
-    def _ask_placement(self) -> Placement:
+    def _ask(self) -> Seen:
         x, y, w, h = self.driver.integers(_VIEWPORT, 4)
-        self._viewport = (x, y, w, h)
-        self._scissor = self._ask_scissor()
-        self._edges = edges_of(self._scissor, self._viewport)
+        viewport, scissor = (x, y, w, h), self._ask_scissor()
         self._projection_stale = False
         modelview = self._matrix(_MODELVIEW_MATRIX) if self.placer.on_modelview else None
-        self._projection = self.own.projection(self._matrix(_PROJECTION_MATRIX))
-        return self.placer.place(self._projection, modelview, self._viewport, self.frame)
+        projection = self.own.projection(self._matrix(_PROJECTION_MATRIX))
+        placement = self.placer.place(projection, modelview, viewport, self.frame)
+        return Seen(viewport, scissor, edges_of(scissor, viewport), projection, placement)
 
     def _ask_scissor(self) -> Rectangle | None:
         if not self.driver.glIsEnabled(_SCISSOR_TEST):
@@ -385,21 +338,23 @@ class DomeContext:
     def _matrix(self, name: int) -> Matrix:
         return np.array(self.driver.doubles(name, 16)).reshape(4, 4).T
 
-    def _put_on(self, placement: Placement, scene: Scene) -> None:
-        look = Look(placement, scene, self._edges, self._patch, self._raster, self.own.fragments)
+    def _put_on(self, seen: Seen, scene: Scene) -> None:
+        placement, scissor = seen.placement, seen.scissor
+        look = Look(placement, scene, seen.edges, self._patch, self._raster, self.own.fragments)
         if placement.hud and self._options.hud == "flat":
             self.own.leave_straight()
-            self._change(_Dressing(0, (), self.frame.flat(self._viewport), self._scissor))
-            if self._scissor is not None:
-                self.driver.glScissor(*self.frame.flat(self._scissor))
+            self._change(_Dressing(0, (), self.frame.flat(seen.viewport), seen.viewport, scissor))
+            if scissor is not None:
+                self.driver.glScissor(*self.frame.flat(scissor))
                 self.driver.glEnable(_SCISSOR_TEST)
         elif self.own.current is not None:
-            enables = self.own.bend(placement, self._projection, self._edges, scene.clip_planes)
+            enables = self.own.bend(placement, seen.projection, seen.edges, scene.clip_planes)
             enables = (*enables, *self._wardrobe.discard(look))
-            self._change(_Dressing(0, enables, self.frame.square, self._scissor))
+            self._change(_Dressing(0, enables, self.frame.square, seen.viewport, scissor))
         else:
             outfit = self._wardrobe.outfit(look)
-            self._change(_Dressing(outfit.program.name, outfit.enables, self.frame.square, self._scissor))
+            enables = outfit.enables
+            self._change(_Dressing(outfit.program.name, enables, self.frame.square, seen.viewport, scissor))
             self._wardrobe.send(outfit, look, self.tolerance.detail)
 
     def _change(self, new: _Dressing) -> None:
@@ -407,7 +362,7 @@ class DomeContext:
         gl, old = self.driver, self._dressing
         self._dressing = new
         if old is None:
-            old = _Dressing(0, (), self._viewport, None)
+            old = _Dressing(0, (), new.programs, new.programs, None)
             if new.scissor is not None:
                 gl.glDisable(_SCISSOR_TEST)
         for capability in old.enables:

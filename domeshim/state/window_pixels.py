@@ -1,0 +1,94 @@
+"""What has a place in the program's window: where that is in the frame, and what a clear takes of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from domeshim.draw.clear import PartClear
+from domeshim.lens.projection import disc_of
+from domeshim.options import Options
+from domeshim.state.pointer import Sight
+from domeshim.state.scissor import Edges, in_view
+
+if TYPE_CHECKING:
+    from domeshim.state.context import DomeContext
+
+_SCISSOR_TEST = 0x0C11
+
+
+class WindowPixels:
+    """The pixels of the window that one context's program believes in."""
+
+    def __init__(self, context: DomeContext, options: Options) -> None:
+        self._context = context
+        self._options = options
+
+    @property
+    def placed(self) -> bool:
+        """A place in the program's window is another one in the frame."""
+        return not self._context.compiling and not self._context.bypassed
+
+    def position(self, x: float, y: float, depth: float) -> tuple[float, float, float] | None:
+        """Where a point of the program's window, and the depth there, are in the frame; None: hidden."""
+        context = self._context
+        placement, frame = context.seen.placement, context.frame
+        if context.placer.has_perspective and self._options.hud == "off":
+            return None
+        if context.placer.has_perspective and self._options.hud == "flat":
+            return (*frame.flat((round(x), round(y), 0, 0))[:2], depth)
+        main = context.placer.through_window(frame)
+        direction = main.direction(x, y)
+        disc = disc_of(direction, context.lens, self._options.tilt)
+        x0, y0, side, _ = frame.square
+        if placement.place != "panel":
+            a, b = placement.depth
+            depth = (a + b / main.distance(depth, direction) + 1) / 2
+        return float(x0 + (disc[0] + 1) * side / 2), float(y0 + (disc[1] + 1) * side / 2), depth
+
+    @property
+    def sight(self) -> Sight:
+        """How the program's window lies on the dome, by the last main view that was drawn."""
+        context = self._context
+        view = context.placer.through_window(context.frame)
+        paper = self._options.method == "paper"
+        return Sight(view, context.frame, context.lens, context.rim, self._options.tilt, paper)
+
+    # Clearing; the context must be undressed.
+
+    @property
+    def scissor_cuts(self) -> bool:
+        """The program's scissor leaves out a part of its window."""
+        width, height = self._context.frame.program_size
+        x, y, w, h = self._context.seen.scissor or (0, 0, width, height)
+        return x > 0 or y > 0 or x + w < width or y + h < height
+
+    @contextmanager
+    def unscissored(self) -> Iterator[None]:
+        """Within it a scissor that leaves out nothing of the program's window does so of the frame."""
+        if self._context.seen.scissor is None:
+            yield
+            return
+        self._context.driver.glDisable(_SCISSOR_TEST)
+        try:
+            yield
+        finally:
+            self._context.driver.glEnable(_SCISSOR_TEST)
+
+    def clear_part(self, mask: int) -> None:
+        """glClear what the scissor leaves of the program's window."""
+        context = self._context
+        placement, scissor, edges = context.seen.placement, context.seen.scissor, context.seen.edges
+        main = context.placer.through_window(context.frame)
+        if edges.empty or scissor is None or context.hides(placement):
+            return
+        if placement.place == "panel":
+            edges = Edges(in_view(scissor, main.viewport), (0, 1, 2, 3))
+        self._part_clear.clear(mask, context.frame, main.camera[[0, 1, 3], :3], edges)
+
+    @cached_property
+    def _part_clear(self) -> PartClear:
+        context = self._context
+        return PartClear(context.driver, context.lens, self._options.fov, self._options.tilt)
