@@ -1,4 +1,4 @@
-# make demo: see the dome. make test: all checks. Both make .venv on the way; PYTHON chooses its interpreter.
+# make demo: see the dome. make test: all checks. All make .venv on the way; PYTHON chooses its interpreter.
 
 PYTHON ?= python3
 VENV := .venv
@@ -7,7 +7,7 @@ DEMO := demos/teapots.py
 PICTURES := pictures
 DEBIAN := libegl1 libgl1-mesa-dri libglx-mesa0 libglu1-mesa libglut3.12 xvfb xauth xdotool
 
-.PHONY: demo test check-style corpus debian clean
+.PHONY: demo test check-style corpus bench-immediate endurance debian clean
 
 demo: $(VENV)/installed
 	@if [ -n "$$DISPLAY$$WAYLAND_DISPLAY" ]; then \
@@ -30,6 +30,14 @@ check-style: $(VENV)/developed
 # Every program of PyOpenGL-Demo beside stock PyOpenGL: docs/corpus.md, in some ten minutes.
 corpus: $(VENV)/developed debian
 	$(BIN)/python benchmarks/corpus.py
+
+# What the dome costs each way to draw, dome over monitor: a line for each, in a minute or two.
+bench-immediate: $(VENV)/developed debian
+	$(BIN)/python benchmarks/immediate.py
+
+# 100,000 pictures: memory and GL's objects on the way, in some ten minutes.
+endurance: $(VENV)/developed debian
+	$(BIN)/python benchmarks/endurance.py
 
 # Installed editable, so the stamps go stale only with what an installation copies.
 COPIED := pyproject.toml domeshim.pth domeshim.start _domeshim_gate.py

@@ -1,6 +1,6 @@
 """Draws an animated scene on the dome for many frames and tells what it holds on to.
 
-    python benchmarks/endurance.py [FRAMES]
+    make endurance, or python benchmarks/endurance.py [FRAMES]
 
 Every hundredth part of the way: the frame, the process's resident memory in MiB, and how many GL objects
 there are. The first ones build shaders and fill caches; after them nothing may grow.

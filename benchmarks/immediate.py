@@ -1,6 +1,6 @@
 """What the dome costs the fixed-function ways to draw: each by stock PyOpenGL and on the dome, in turns.
 
-    python benchmarks/immediate.py [FRAMES]
+    make bench-immediate, or python benchmarks/immediate.py [FRAMES]
 
 Prints the medians of both in milliseconds and dome over monitor. One process, off screen, one renderer (its
 name comes first); display lists are built by whoever draws them.

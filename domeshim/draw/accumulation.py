@@ -8,7 +8,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import NDArray
 
-from domeshim.draw.rim import IN_THE_WAY
+from domeshim.draw.over import way_cleared
 from domeshim.draw.transfer import plain_transfer
 from domeshim.driver import Driver
 from domeshim.window.contract import Window
@@ -16,9 +16,7 @@ from domeshim.window.contract import Window
 BUFFER_BIT = 0x0200
 """GL_ACCUM_BUFFER_BIT of glClear."""
 _RED_BITS, _CLEAR_VALUE = 0x0D58, 0x0B80
-_RGBA, _FLOAT, _ALL_ATTRIBUTES = 0x1908, 0x1406, 0xFFFFFFFF
-_IN_PIXELS_WAY = (*IN_THE_WAY, 0x0B60, 0x0DE0, 0x0DE1, 0x806F, 0x8513)
-"""Fog and textures are applied to drawn pixels as well."""
+_RGBA, _FLOAT = 0x1908, 0x1406
 
 
 class Accumulation:
@@ -64,11 +62,7 @@ class Accumulation:
 
     def _write(self, pixels: NDArray[np.float32]) -> None:
         gl = self._driver
-        gl.glPushAttrib(_ALL_ATTRIBUTES)
-        for capability in _IN_PIXELS_WAY:
-            gl.glDisable(capability)
-        gl.glPixelZoom(1.0, 1.0)
-        gl.glWindowPos3f(0.0, 0.0, 0.0)
-        with plain_transfer(gl):
+        with way_cleared(gl), plain_transfer(gl):
+            gl.glPixelZoom(1.0, 1.0)
+            gl.glWindowPos3f(0.0, 0.0, 0.0)
             gl.glDrawPixels(pixels.shape[1], pixels.shape[0], _RGBA, _FLOAT, pixels.ctypes.data)
-        gl.glPopAttrib()

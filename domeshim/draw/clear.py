@@ -6,7 +6,7 @@ from ctypes import c_float
 
 import numpy as np
 
-from domeshim.draw.rim import IN_THE_WAY
+from domeshim.draw.over import way_cleared
 from domeshim.driver import Driver
 from domeshim.lens.models import Lens
 from domeshim.shading.compose import Source
@@ -17,15 +17,7 @@ from domeshim.state.scissor import Edges
 from domeshim.window.frame import Frame
 
 COLOR, DEPTH, STENCIL = 0x4000, 0x0100, 0x0400
-_ALL_ATTRIBUTES, _FRONT_AND_BACK, _FILL, _TRIANGLES, _ALWAYS, _REPLACE = (
-    0xFFFFFFFF,
-    0x0408,
-    0x1B02,
-    4,
-    0x0207,
-    0x1E01,
-)
-_DEPTH_TEST, _STENCIL_TEST, _CURRENT_PROGRAM = 0x0B71, 0x0B90, 0x8B8D
+_TRIANGLES, _ALWAYS, _REPLACE, _DEPTH_TEST, _STENCIL_TEST = 4, 0x0207, 0x1E01, 0x0B71, 0x0B90
 _COLOR_CLEAR_VALUE, _DEPTH_CLEAR_VALUE, _STENCIL_CLEAR_VALUE = 0x0C22, 0x0B73, 0x0B91
 _CELLS = 64 * 128
 
@@ -48,18 +40,12 @@ class PartClear:
         camera: (3, 3), a direction's x, y and w in the main view; edges: in that view, only inner ones cut.
         """
         gl = self._driver
-        bound = gl.integer(_CURRENT_PROGRAM)
-        gl.glPushAttrib(_ALL_ATTRIBUTES)
-        for capability in IN_THE_WAY:
-            gl.glDisable(capability)
-        gl.glPolygonMode(_FRONT_AND_BACK, _FILL)
-        gl.glDepthRange(0.0, 1.0)
-        gl.glViewport(*frame.square)
-        self._choose_buffers(mask)
-        self._set_up(camera, edges)
-        gl.glDrawArrays(_TRIANGLES, 0, 6 * _CELLS)
-        gl.glUseProgram(bound)
-        gl.glPopAttrib()
+        with way_cleared(gl):
+            gl.glDepthRange(0.0, 1.0)
+            gl.glViewport(*frame.square)
+            self._choose_buffers(mask)
+            self._set_up(camera, edges)
+            gl.glDrawArrays(_TRIANGLES, 0, 6 * _CELLS)
 
     def _choose_buffers(self, mask: int) -> None:
         gl = self._driver
