@@ -11,7 +11,7 @@ from domeshim.window.frame import Frame
 
 _TRIANGLE_STRIP = 0x0005
 _RING = 2 * (128 + 1)
-"""Vertices of the ring that glsl/frame/rim.vert.glsl makes."""
+"""Vertices of each ring that glsl/frame/rim.vert.glsl makes."""
 
 
 def _source(name: str) -> Source:
@@ -23,7 +23,9 @@ class Rim:
 
     def __init__(self, driver: Driver) -> None:
         self._driver = driver
-        self._program = Program(driver, _source("frame/rim.vert"), _source("frame/rim.frag"))
+        vertex = _source("frame/rim.vert")
+        self._edge = Program(driver, vertex, _source("frame/rim.frag"))
+        self._outside = Program(driver, vertex, _source("frame/black.frag"))
 
     def draw(self, frame: Frame, radius: float) -> None:
         """Blacken all of the frame outside the disc; radius: of the picture, 1 the inscribed circle."""
@@ -32,7 +34,8 @@ class Rim:
         with way_cleared(gl):
             gl.glColorMask(1, 1, 1, 1)
             gl.glViewport(0, 0, *frame.size)
-            gl.glUseProgram(self._program.name)
-            self._program.set("domeDisc", (x + side / 2, y + side / 2, radius * side / 2))
-            self._program.set("domeFrame", frame.size)
-            gl.glDrawArrays(_TRIANGLE_STRIP, 0, _RING)
+            for ring, program in enumerate((self._edge, self._outside)):
+                gl.glUseProgram(program.name)
+                program.set("domeDisc", (x + side / 2, y + side / 2, radius * side / 2))
+                program.set("domeFrame", frame.size)
+                gl.glDrawArrays(_TRIANGLE_STRIP, ring * _RING, _RING)
