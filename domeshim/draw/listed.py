@@ -6,14 +6,16 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from domeshim.draw.extent import Extent
-from domeshim.draw.subdivide import extent_of, filled, patches, subdivide
+from domeshim.draw.subdivide import extent_of, filled, pieces, subdivide
+from domeshim.shading.recipe import Patch
 
 if TYPE_CHECKING:
-    from domeshim.draw.patches import Kind
     from domeshim.draw.submit import Submitter
     from domeshim.record.immediate import Run
     from domeshim.record.lists import DisplayLists
     from domeshim.state.context import DomeContext
+
+_POINTS = 0x0000
 
 
 class ListedMesh:
@@ -26,7 +28,7 @@ class ListedMesh:
         self._lists = lists
         self._extent: Extent | None = extent_of(run)
         self._whole = lists.compile(lambda: submitter.draw_whole(run))
-        self._patches: list[tuple[Kind, int]] | None = None
+        self._patches: list[tuple[Patch | None, int]] | None = None
 
     def __call__(self) -> None:
         """Draw it, and leave its last attributes current."""
@@ -36,8 +38,8 @@ class ListedMesh:
             if not subdivide(self._run, context, self._submitter, subdivision):
                 context.call_list(self._whole)
         elif subdivision:
-            for kind, name in self._in_patches():
-                context.call_list(name, None if kind == "points" else kind)
+            for patch, name in self._in_patches():
+                context.call_list(name, patch)
         else:
             context.call_list(self._whole)
         self._submitter.make_current(self._run)
@@ -46,12 +48,13 @@ class ListedMesh:
         """The GL lists that it has made, to be deleted with it."""
         return [self._whole, *(name for _, name in self._patches or ())]
 
-    def _in_patches(self) -> list[tuple[Kind, int]]:
+    def _in_patches(self) -> list[tuple[Patch | None, int]]:
         if self._patches is None:
-            self._patches = [
-                (kind, self._lists.compile(self._drawing(mode, piece)))
-                for kind, mode, piece in patches(self._run)
-            ]
+            self._patches = []
+            for kind, piece in pieces(self._run):
+                patch = None if kind == "points" else Patch(kind)
+                name = self._lists.compile(self._drawing(patch.mode if patch else _POINTS, piece))
+                self._patches.append((patch, name))
         return self._patches
 
     def _drawing(self, mode: int, piece: Run) -> Callable[[], None]:

@@ -1,8 +1,8 @@
-"""Primitives that span a wide angle are halved before the GPU subdivides them.
+"""Primitives that span a wide angle are halved, edge by edge, evenly in angle.
 
 A triangle that passes close to the eye has nearly all of its angle in a sliver of its area; a blend of even
-edges cannot follow that, and 64 pieces an edge may not be enough. Halving each wide edge evenly in angle does
-both. An edge is split by what its two ends alone say, so neighbours stay together.
+edges cannot follow that, and the GPU's pieces of an edge may not be enough. Halving each wide edge evenly in
+angle does both. An edge is split by what its two ends alone say, so neighbours stay together.
 """
 
 from __future__ import annotations
@@ -14,38 +14,55 @@ from numpy.typing import NDArray
 
 from domeshim.record.immediate import Run
 
-_MOST_ROUNDS = 24
+_MOST_ROUNDS = 64
 
 Floats = NDArray[np.floating]
 
 
-def split_wide(piece: Run, corners: int, to_eye: Floats, widest: float) -> Run:
-    """The piece with every edge under an angle.
+def split_wide(run: Run, corners: int, to_eye: Floats, widest: float) -> Run:
+    """Pieces with every edge under an angle, which keep the corners of the primitive that they come from.
 
-    piece: (n * corners) vertices, primitive after primitive; corners: 2 or 3; to_eye: (4, 4), the piece's
-    space to eye space; widest: radians. What has no finite position is left out.
+    run: (n * corners) vertices, primitive after primitive; corners: 2 or 3; to_eye: (4, 4), the run's space
+    to eye space; widest: radians. What has no finite position is left out. The result has two attributes
+    more: "place", each piece's own corners, and "weights", where they lie in the whole primitive.
     """
-    positions = piece.positions
+    parents, places, weights = _pieces(run, corners, to_eye, widest)
+    chosen = (parents[:, None] * corners + np.arange(corners)).ravel()
+    attributes = {name: values[chosen] for name, values in run.attributes.items()}
+    if corners == 2:
+        weights = np.concatenate([weights, np.zeros_like(weights[:, :, :1])], -1)
+    attributes["place"] = places.reshape(-1, 4).astype(np.float32)
+    attributes["weights"] = weights.reshape(-1, 3).astype(np.float32)
+    return replace(run, positions=run.positions[chosen], attributes=attributes)
+
+
+def _pieces(run: Run, corners: int, to_eye: Floats, widest: float) -> tuple[NDArray[np.intp], Floats, Floats]:
+    """Each piece's primitive, (m,), its corners, (m, corners, 4), and where those lie in the primitive.
+
+    The last are weights of the primitive's corners: (m, corners, corners), the rows of sum 1.
+    """
+    positions = run.positions
     if positions.shape[1] == 3:
         positions = np.hstack([positions, np.ones((len(positions), 1), np.float32)])
-    names = list(piece.attributes)
-    columns = np.cumsum([4, *(piece.attributes[name].shape[1] for name in names)])
-    vertices = np.hstack([positions, *(piece.attributes[name] for name in names)]).astype(float)
-    primitives = vertices.reshape(-1, corners, vertices.shape[1])
-    primitives = primitives[np.isfinite(primitives[:, :, :4]).all((1, 2))]
-    done = []
+    places = positions.astype(float).reshape(-1, corners, 4)
+    parents = np.flatnonzero(np.isfinite(places).all((1, 2)))
+    weights = np.broadcast_to(np.eye(corners), (len(places), corners, corners))
+    pieces = np.concatenate([places, weights], -1)[parents]
+    done_pieces, done_parents = [], []
     for _ in range(_MOST_ROUNDS):
-        angles, lengths = _edges(primitives[:, :, :4] @ to_eye.T)
-        wide = angles.max(1) > widest
-        done.append(primitives[~wide])
+        angles, lengths = _edges(pieces[:, :, :4] @ to_eye.T)
+        wide = angles.max(1, initial=0) > widest
+        done_pieces.append(pieces[~wide])
+        done_parents.append(parents[~wide])
         if not wide.any():
             break
-        primitives = _halved(primitives[wide], angles[wide].argmax(1), lengths[wide])
+        pieces = _halved(pieces[wide], angles[wide].argmax(1), lengths[wide])
+        parents = np.tile(parents[wide], 2)
     else:
-        done.append(primitives)
-    flat = np.concatenate(done).reshape(-1, vertices.shape[1]).astype(np.float32)
-    parts = np.split(flat, columns, axis=1)
-    return replace(piece, positions=parts[0], attributes=dict(zip(names, parts[1:-1], strict=True)))
+        done_pieces.append(pieces)
+        done_parents.append(parents)
+    all_pieces = np.concatenate(done_pieces)
+    return np.concatenate(done_parents), all_pieces[:, :, :4], all_pieces[:, :, 4:]
 
 
 def _edges(eye: Floats) -> tuple[Floats, Floats]:
@@ -59,13 +76,13 @@ def _edges(eye: Floats) -> tuple[Floats, Floats]:
     return (angles[:, :1] if eye.shape[1] == 2 else angles), lengths
 
 
-def _halved(primitives: Floats, edge: NDArray[np.integer], lengths: Floats) -> Floats:
-    """Each primitive cut in two at the middle, in angle, of one edge."""
-    rows = np.arange(len(primitives))
-    a, b = edge, (edge + 1) % primitives.shape[1]
+def _halved(pieces: Floats, edge: NDArray[np.integer], lengths: Floats) -> Floats:
+    """Each piece cut in two at the middle, in angle, of one edge."""
+    rows = np.arange(len(pieces))
+    a, b = edge, (edge + 1) % pieces.shape[1]
     ra, rb = lengths[rows, a][:, None], lengths[rows, b][:, None]
-    middle = (rb * primitives[rows, a] + ra * primitives[rows, b]) / np.maximum(ra + rb, 1e-300)
-    first, second = primitives.copy(), primitives.copy()
+    middle = (rb * pieces[rows, a] + ra * pieces[rows, b]) / np.maximum(ra + rb, 1e-300)
+    first, second = pieces.copy(), pieces.copy()
     first[rows, b] = middle
     second[rows, a] = middle
     return np.concatenate([first, second])

@@ -13,12 +13,13 @@ from domeshim.draw.extent import Extent
 from domeshim.draw.patches import Indices, Kind, corners, kind_of, longest_edge, outlines
 from domeshim.draw.split import split_wide
 from domeshim.record.immediate import Block, Run, stretches
+from domeshim.shading.recipe import Patch
 
 if TYPE_CHECKING:
     from domeshim.state.context import DomeContext
     from domeshim.state.subdivision import Subdivision
 
-_POINTS, _PATCHES = 0x0000, 0x000E
+_POINTS = 0x0000
 _POLYGON_MODE, _POINT, _LINE, _FILL, _CULL_FACE = 0x0B40, 0x1B00, 0x1B01, 0x1B02, 0x0B44
 
 
@@ -50,25 +51,27 @@ def subdivide(run: Run, context: DomeContext, drawer: Drawer, subdivision: Subdi
     polygon_mode = _shown_polygon_mode(context)
     if polygon_mode is None or "edge" in run.attributes:
         return False  # which edges of a polygon show is lost in its triangles
-    for kind, mode, whole in patches(run, polygon_mode):
-        piece = whole
-        if subdivision == "split" and kind != "points":
-            piece = split_wide(whole, 2 if kind == "lines" else 3, context.to_eye, context.tolerance.widest)
-        context.dress(None if kind == "points" else kind)
-        drawer.draw_all(mode, piece)
+    for kind, whole in pieces(run, polygon_mode):
+        if kind == "points":
+            context.dress()
+            drawer.draw_all(_POINTS, whole)
+            continue
+        patch = Patch(kind, split=subdivision == "split")
+        context.dress(patch)
+        drawer.draw_all(patch.mode, _split(whole, patch, context) if patch.split else whole)
     return True
 
 
-def patches(run: Run, polygon_mode: int = _FILL) -> Iterator[tuple[Kind, int, Run]]:
-    """The run's pieces of one kind, each with the mode to draw all of its vertices by."""
+def _split(run: Run, patch: Patch, context: DomeContext) -> Run:
+    return split_wide(run, patch.corners, context.to_eye, context.tolerance.widest)
+
+
+def pieces(run: Run, polygon_mode: int = _FILL) -> Iterator[tuple[Kind, Run]]:
+    """The run's points, lines and triangles, as far as they are alike together, in the order of drawing."""
     for kind, indices in _joined(_primitives(run.blocks, polygon_mode)):
         chosen = indices.ravel()
         attributes = {name: values[chosen] for name, values in run.attributes.items()}
-        yield (
-            kind,
-            _POINTS if kind == "points" else _PATCHES,
-            Run(run.positions[chosen], attributes, (), constant=run.constant),
-        )
+        yield kind, Run(run.positions[chosen], attributes, (), constant=run.constant)
 
 
 def filled(context: DomeContext) -> bool:

@@ -18,7 +18,7 @@ from domeshim.draw.replay import replay
 from domeshim.draw.subdivide import subdivide, subdivision_of
 from domeshim.driver import Driver
 from domeshim.record.immediate import Block, Immediate, Run, stretches
-from domeshim.shading.recipe import MATERIAL_UNITS
+from domeshim.shading.recipe import MATERIAL_UNITS, PIECE_ATTRIBUTES
 
 if TYPE_CHECKING:
     from domeshim.state.context import DomeContext
@@ -158,7 +158,9 @@ class Submitter:
     def _switch_array(self, name: str, *, on: bool) -> None:
         gl = self._driver
         switch = gl.glEnableClientState if on else gl.glDisableClientState
-        if name != "vertex" and name not in _ARRAYS:
+        if name in PIECE_ATTRIBUTES:
+            (gl.glEnableVertexAttribArray if on else gl.glDisableVertexAttribArray)(PIECE_ATTRIBUTES[name])
+        elif name != "vertex" and name not in _ARRAYS:
             active = gl.integer(_CLIENT_ACTIVE_TEXTURE)
             gl.glClientActiveTexture(_TEXTURE0 + _unit(name))
             switch(_TEXTURE_COORD_ARRAY)
@@ -179,6 +181,9 @@ class Submitter:
                 gl.glFogCoordPointer(_FLOAT, 0, data)
             case "edge":
                 gl.glEdgeFlagPointer(0, data)
+            case "place" | "weights":
+                size = 4 if name == "place" else 3
+                gl.glVertexAttribPointer(PIECE_ATTRIBUTES[name], size, _FLOAT, 0, 0, data)
             case name:
                 active = gl.integer(_CLIENT_ACTIVE_TEXTURE)
                 gl.glClientActiveTexture(_TEXTURE0 + _unit(name))

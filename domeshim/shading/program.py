@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from ctypes import c_char_p, c_float, c_int, create_string_buffer
 from typing import TYPE_CHECKING
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from domeshim.driver import Driver
     from domeshim.shading.compose import Source
 
-_VERTEX, _FRAGMENT, _CONTROL, _EVALUATION = 0x8B31, 0x8B30, 0x8E88, 0x8E87
+_VERTEX, _FRAGMENT, _CONTROL, _EVALUATION, _GEOMETRY = 0x8B31, 0x8B30, 0x8E88, 0x8E87, 0x8DD9
 _COMPILE_STATUS, _LINK_STATUS, _INFO_LOG_LENGTH = 0x8B81, 0x8B82, 0x8B84
 _PLACE_IN_LOG = re.compile(r"\b0(?::(\d+)|\((\d+)\))")
 
@@ -58,7 +58,8 @@ class Uniforms:
 class Program(Uniforms):
     """A linked program of one GL context.
 
-    attached: compiled shader objects that go in beside the sources.
+    attached: compiled shader objects that go in beside the sources; attributes: the number of each generic
+    vertex attribute, by its name in the vertex shader.
 
     Raises ShaderError with the driver's words, each place in them named by our file and line.
     """
@@ -70,11 +71,19 @@ class Program(Uniforms):
         fragment: Source | None = None,
         control: Source | None = None,
         evaluation: Source | None = None,
+        geometry: Source | None = None,
         attached: Sequence[int] = (),
+        attributes: Mapping[str, int] | None = None,
     ) -> None:
         super().__init__(driver, driver.glCreateProgram())
-        stages = ((_VERTEX, vertex), (_CONTROL, control), (_EVALUATION, evaluation), (_FRAGMENT, fragment))
-        for stage, source in stages:
+        stages = {
+            _VERTEX: vertex,
+            _CONTROL: control,
+            _EVALUATION: evaluation,
+            _GEOMETRY: geometry,
+            _FRAGMENT: fragment,
+        }
+        for stage, source in stages.items():
             if source is None:
                 continue
             shader = _compile(driver, stage, source)
@@ -82,6 +91,8 @@ class Program(Uniforms):
             driver.glDeleteShader(shader)  # goes with the program
         for shader in attached:
             driver.glAttachShader(self.name, shader)
+        for name, number in (attributes or {}).items():
+            driver.glBindAttribLocation(self.name, number, name.encode())
         driver.glLinkProgram(self.name)
         linked = c_int()
         driver.glGetProgramiv(self.name, _LINK_STATUS, linked)

@@ -7,14 +7,39 @@ driver's built-in uniforms and never part of it.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, NamedTuple
 
 Texgen = Literal["object", "eye", "sphere", "reflection", "normal"]
 Face = Literal["front", "back", "both"]
 
 MATERIAL_UNITS = {"emission": 3, "ambient": 4, "diffuse": 5, "specular": 6, "shininess": 7}
 """Which unit's texture coordinates carry each part of a material that is set inside glBegin..glEnd."""
-Patch = Literal["triangles", "lines"] | None
+PIECE_ATTRIBUTES = {"place": 6, "weights": 7}
+"""The generic vertex attributes of a piece of a split primitive, by number.
+
+Some drivers lay generic attributes over the built-in ones; these two lie over none.
+"""
+
+
+class Patch(NamedTuple):
+    """What a draw hands over to be subdivided on the GPU, and how."""
+
+    kind: Literal["triangles", "lines"]
+    method: Literal["tessellate", "geometry"] = "tessellate"
+    split: bool = False
+    """Pieces of larger primitives: each vertex has the larger one's corner, and tells where its own lies."""
+
+    @property
+    def corners(self) -> int:
+        """How many vertices it has."""
+        return 2 if self.kind == "lines" else 3
+
+    @property
+    def mode(self) -> int:
+        """The mode to draw all of its vertices by: GL_PATCHES, or GL_LINES, GL_TRIANGLES."""
+        if self.method == "tessellate":
+            return 0x000E
+        return 0x0001 if self.kind == "lines" else 0x0004
 
 
 @dataclass(frozen=True)
@@ -90,7 +115,7 @@ class Recipe:
 
     mapping: Mapping = Mapping()
     scene: Scene = Scene()
-    patch: Patch = None
+    patch: Patch | None = None
     """What is subdivided on the GPU, if anything."""
     flat: bool = False
     """GL_FLAT: the pieces of a subdivided primitive all have the colour of its last vertex."""

@@ -83,7 +83,7 @@ class DomeContext:
         self._seen: Seen | None = None
         self._raster = False
         self._dressing: _Dressing | None = None
-        self._patch: Patch = None
+        self._patch: Patch | None = None
 
     # What a call changed.
 
@@ -182,11 +182,11 @@ class DomeContext:
 
     # Around the draws.
 
-    def dress(self, patch: Patch = None, *, raster: bool = False) -> None:
+    def dress(self, patch: Patch | None = None, *, raster: bool = False) -> None:
         """Make the next draws land on the dome; call before each.
 
-        patch: what the draw hands over as GL_PATCHES to be subdivided, if it does; raster: what follows sets
-        the raster position, or draws there.
+        patch: what the draw hands over to be subdivided, if it does; raster: what follows sets the raster
+        position, or draws there.
         """
         if self.compiling:
             return
@@ -197,10 +197,10 @@ class DomeContext:
             self._uncover()
             self._patch, self._raster = patch, raster
             self._put_on(*self._look())
-            if patch is not None:
-                self.driver.glPatchParameteri(_PATCH_VERTICES, 2 if patch == "lines" else 3)
+            if patch is not None and patch.method == "tessellate":
+                self.driver.glPatchParameteri(_PATCH_VERTICES, patch.corners)
 
-    def call_list(self, name: int, patch: Patch = None) -> None:
+    def call_list(self, name: int, patch: Patch | None = None) -> None:
         """Draw one of GL's own lists; patch: as for dress."""
         self.dress(patch)
         self.driver.glCallList(name)

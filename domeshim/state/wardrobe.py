@@ -13,7 +13,7 @@ from domeshim.options import Options
 from domeshim.shading.compose import compose
 from domeshim.shading.fragments import FragmentStage
 from domeshim.shading.program import Program
-from domeshim.shading.recipe import Mapping, Patch, Recipe, Scene
+from domeshim.shading.recipe import PIECE_ATTRIBUTES, Mapping, Patch, Recipe, Scene
 from domeshim.shading.tessellation import compose_tessellated
 from domeshim.state.placement import Placement
 from domeshim.state.scene import GL_CLIP_PLANE0, GL_COLOR_SUM
@@ -21,6 +21,7 @@ from domeshim.state.scissor import Edges
 
 _VERTEX_PROGRAM_TWO_SIDE, _PROGRAM_POINT_SIZE, _RASTERIZER_DISCARD = 0x8643, 0x8642, 0x8C89
 _SHADE_MODEL, _FLAT = 0x0B54, 0x1D00
+_PIECE = {f"dome{name.capitalize()}": number for name, number in PIECE_ATTRIBUTES.items()}
 _MOST = 1000
 """So many outfits are remembered."""
 
@@ -32,7 +33,7 @@ class Look:
     placement: Placement
     scene: Scene
     edges: Edges
-    patch: Patch
+    patch: Patch | None
     raster: bool
     fragments: FragmentStage | None
 
@@ -141,7 +142,9 @@ class Wardrobe:
             stages.vertex,
             control=stages.control,
             evaluation=stages.evaluation,
+            geometry=stages.geometry,
             attached=shaders,
+            attributes=_PIECE if recipe.patch.split else None,
         )
 
     def _uniforms(self, mapping: Mapping, look: Look, detail: float) -> list[tuple[str, tuple[float, ...]]]:

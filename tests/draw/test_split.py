@@ -18,8 +18,12 @@ def split(positions, corners, to_eye=None, **attributes):
     return split_wide(piece, corners, np.eye(4) if to_eye is None else to_eye, WIDEST)
 
 
+def places(run):
+    return run.attributes["place"][:, :3]
+
+
 def edge_angles(run, corners):
-    d = run.positions[:, :3].astype(float).reshape(-1, corners, 3)
+    d = places(run).astype(float).reshape(-1, corners, 3)
     d /= np.linalg.norm(d, axis=-1, keepdims=True)
     following = np.roll(d, -1, 1)
     return np.arctan2(np.linalg.norm(np.cross(d, following), axis=-1), (d * following).sum(-1))
@@ -30,7 +34,7 @@ def test_every_edge_is_narrow_and_no_area_is_lost(seed):
     points = np.random.default_rng(seed).normal(size=(3, 3)) * 10 + [0, 0, -1]
     run = split(points, 3)
     assert edge_angles(run, 3).max() <= WIDEST + 1e-4
-    p = run.positions[:, :3].astype(float).reshape(-1, 3, 3)
+    p = places(run).astype(float).reshape(-1, 3, 3)
     areas = np.linalg.norm(np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]), axis=-1) / 2
     whole = np.linalg.norm(np.cross(points[1] - points[0], points[2] - points[0])) / 2
     assert areas.sum() == pytest.approx(whole, rel=1e-3)
@@ -38,7 +42,7 @@ def test_every_edge_is_narrow_and_no_area_is_lost(seed):
 
 def on_edge(run, a, b):
     """The vertices of a run that lie on the edge from a to b, as exact numbers."""
-    p = run.positions[:, :3]
+    p = places(run)
     t = ((p - a) @ (b - a)) / ((b - a) @ (b - a))
     near = np.linalg.norm(p - (a + t[:, None] * (b - a)), axis=1) < 1e-4 * np.linalg.norm(b - a)
     return {tuple(row) for row in p[near]}
@@ -58,12 +62,16 @@ def test_lines_are_cut_evenly_in_angle():
     assert angles.max() - angles.min() < 1e-4
 
 
-def test_attributes_are_those_of_the_surface():
-    run = split(
-        [[-5, -1, -5], [5, -1, -5], [0, -1, 5]], 3, color=[[-5, -5, 0, 1], [5, -5, 0, 1], [0, 5, 0, 1]]
-    )
-    assert run.attributes["color"][:, 0] == pytest.approx(run.positions[:, 0], abs=1e-4)
-    assert run.attributes["color"][:, 1] == pytest.approx(run.positions[:, 2], abs=1e-4)
+@pytest.mark.parametrize("corners", [2, 3])
+def test_pieces_keep_the_corners_and_say_where_they_lie_between(corners):
+    whole = np.array([[-5, -1, -5], [5, -1, -5], [0, -1, 5]], np.float32)[:corners]
+    run = split(whole, corners, color=np.eye(4)[:corners])
+    assert len(run.positions) > corners
+    assert (run.positions.reshape(-1, corners, 3) == whole).all()
+    assert (run.attributes["color"].reshape(-1, corners, 4) == np.eye(4)[:corners]).all()
+    weights = run.attributes["weights"][:, :corners]
+    assert weights @ whole == pytest.approx(places(run), abs=1e-5)
+    assert weights.sum(1) == pytest.approx(np.ones(len(weights)))
 
 
 def test_what_has_no_finite_place_is_left_out_and_nothing_else():

@@ -3,13 +3,15 @@
 import pytest
 
 from domeshim.shading.program import Program
-from domeshim.shading.recipe import Light, Lighting, Mapping, Recipe, Scene, Texture
+from domeshim.shading.recipe import Light, Lighting, Mapping, Patch, Recipe, Scene, Texture
 from domeshim.shading.tessellation import compose_tessellated
 from tests.shading.test_compose import every_mapping, every_scene
 
 
-@pytest.mark.parametrize("patch", ["triangles", "lines"])
-def test_every_mapping_and_every_scene_compiles(driver, patch):
+@pytest.mark.parametrize("split", [False, True], ids=["whole", "split"])
+@pytest.mark.parametrize("kind", ["triangles", "lines"])
+def test_every_mapping_and_every_scene_compiles(driver, kind, split):
+    patch = Patch(kind, split=split)
     recipes = {Recipe(m, patch=patch) for m in every_mapping() if m.method == "vertex"}
     recipes |= {Recipe(Mapping(place="panel"), s, patch, flat=True) for s in every_scene()}
     recipes |= {Recipe(Mapping(tilted=True), s, patch) for s in every_scene()}
@@ -25,7 +27,7 @@ BARE = Scene()
 
 
 def evaluation(scene=BARE, **kwargs):
-    return compose_tessellated(Recipe(Mapping(), scene, "triangles", **kwargs)).evaluation.text
+    return compose_tessellated(Recipe(Mapping(), scene, Patch("triangles"), **kwargs)).evaluation.text
 
 
 def test_bare_scene_carries_a_colour_and_nothing_else():
@@ -38,7 +40,7 @@ def test_bare_scene_carries_a_colour_and_nothing_else():
 def test_lighting_stays_in_the_vertex_shader():
     lit = Scene(lighting=Lighting((Light(0, "spot"),)), textures=(Texture(0),))
     assert "gl_LightSource" not in evaluation(lit)
-    assert "gl_LightSource" in compose_tessellated(Recipe(Mapping(), lit, "triangles")).vertex.text
+    assert "gl_LightSource" in compose_tessellated(Recipe(Mapping(), lit, Patch("triangles"))).vertex.text
 
 
 def test_flat_shading_takes_the_last_vertex():

@@ -1,0 +1,3 @@
+// Where the piece's corners lie in the whole primitive.
+in vec3 domeShare[];
+patch out vec3 domeShares[3];
