@@ -57,8 +57,9 @@ def subdivide(run: Run, context: DomeContext, drawer: Drawer, subdivision: Subdi
             drawer.draw_all(_POINTS, whole)
             continue
         patch = Patch(kind, split=subdivision == "split")
+        piece = _split(whole, patch, context) if patch.split else whole
         context.dress(patch)
-        drawer.draw_all(patch.mode, _split(whole, patch, context) if patch.split else whole)
+        drawer.draw_all(patch.mode, piece)
     return True
 
 
