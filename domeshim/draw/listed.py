@@ -36,12 +36,12 @@ class ListedMesh:
         subdivision = context.subdivision(self._extent) if self._extent is not None else None
         if subdivision == "split" or (subdivision and not filled(context)):
             if not subdivide(self._run, context, self._submitter, subdivision):
-                context.call_list(self._whole)
+                context.draw_list(self._whole)
         elif subdivision:
             for patch, name in self._in_patches():
-                context.call_list(name, patch)
+                context.draw_list(name, patch)
         else:
-            context.call_list(self._whole)
+            context.draw_list(self._whole)
         self._submitter.make_current(self._run)
 
     def names(self) -> list[int]:

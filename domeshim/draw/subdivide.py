@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import partial
 from itertools import groupby
 from operator import itemgetter
 from typing import TYPE_CHECKING, Protocol
@@ -23,10 +24,19 @@ _POINTS = 0x0000
 _POLYGON_MODE, _POINT, _LINE, _FILL, _CULL_FACE = 0x0B40, 0x1B00, 0x1B01, 0x1B02, 0x0B44
 
 
+Making = Callable[[Callable[[], object]], object]
+"""Makes a draw where it belongs, as often as there are views."""
+
+
+def at_once(draw: Callable[[], object]) -> object:
+    """Make a draw as it is, say into a display list."""
+    return draw()
+
+
 class Drawer(Protocol):
     """What can draw a run's arrays."""
 
-    def draw_all(self, mode: int, run: Run) -> None:
+    def draw_all(self, mode: int, run: Run, made: Making) -> None:
         """Draw all of a run's vertices by one mode."""
 
 
@@ -53,13 +63,11 @@ def subdivide(run: Run, context: DomeContext, drawer: Drawer, subdivision: Subdi
         return False  # which edges of a polygon show is lost in its triangles
     for kind, whole in pieces(run, polygon_mode):
         if kind == "points":
-            context.dress()
-            drawer.draw_all(_POINTS, whole)
+            drawer.draw_all(_POINTS, whole, context.draw)
             continue
         patch = Patch(kind, split=subdivision == "split")
         piece = _split(whole, patch, context) if patch.split else whole
-        context.dress(patch)
-        drawer.draw_all(patch.mode, piece)
+        drawer.draw_all(patch.mode, piece, partial(context.draw, patch=patch))
     return True
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from ctypes import c_int, c_uint
+from functools import partial
 from itertools import groupby
 from operator import itemgetter
 from typing import TYPE_CHECKING, Any
@@ -15,7 +16,7 @@ from numpy.typing import NDArray
 from domeshim.draw.current import current_setters, current_value
 from domeshim.draw.extent import Extent
 from domeshim.draw.replay import replay
-from domeshim.draw.subdivide import subdivide, subdivision_of
+from domeshim.draw.subdivide import Making, at_once, subdivide, subdivision_of
 from domeshim.driver import Driver
 from domeshim.record.immediate import Block, Immediate, Run, stretches
 from domeshim.shading.recipe import MATERIAL_UNITS, PIECE_ATTRIBUTES
@@ -55,32 +56,29 @@ class Submitter:
         few = self._as_given(recorder, compiling=compiling)
         subdivision = _subdivision_of_few(recorder, context) if few else None
         if few and subdivision is None:
-            if recorder.blocks:
-                context.dress()
-            self.replay(recorder)
+            self.replay(recorder, context.draw if recorder.blocks else at_once)
             return
         run = recorder.take()
         if not few and not compiling:
             subdivision = subdivision_of(run, context)
         self.draw_as_needed(run, context, subdivision)
 
-    def replay(self, recorder: Immediate) -> None:
-        """Make the recorded calls one by one."""
+    def replay(self, recorder: Immediate, made: Making = at_once) -> None:
+        """Make the recorded calls one by one; made: makes the draw, once for each view."""
         try:
-            replay(self._driver, recorder, self._setters)
+            made(lambda: replay(self._driver, recorder, self._setters))
         finally:
             recorder.clear()
 
     def draw_as_needed(self, run: Run, context: DomeContext, subdivision: Subdivision) -> None:
         """Draw a run onto the dome, in patches if it needs them, and leave its last attributes current."""
         if subdivision is None or not subdivide(run, context, self, subdivision):
-            context.dress()
-            self.draw_whole(run)
+            self.draw_whole(run, context.draw)
         self.make_current(run)
 
-    def draw(self, run: Run) -> None:
-        """Draw a run from arrays."""
-        self.draw_whole(run)
+    def draw(self, run: Run, made: Making) -> None:
+        """Draw a run from arrays, and leave its last attributes current."""
+        self.draw_whole(run, made)
         self.make_current(run)
 
     def make_current(self, run: Run) -> None:
@@ -111,21 +109,24 @@ class Submitter:
             gl.glBindVertexArray(program_object)
             gl.glBindBuffer(_ARRAY_BUFFER, program_buffer)
 
-    def draw_all(self, mode: int, run: Run) -> None:
+    def draw_all(self, mode: int, run: Run, made: Making = at_once) -> None:
         """Draw all of a run's vertices by one mode."""
         with self._uploaded(run):
-            self._driver.glDrawArrays(mode, 0, len(run.positions))
+            made(partial(self._driver.glDrawArrays, mode, 0, len(run.positions)))
 
-    def draw_whole(self, run: Run) -> None:
+    def draw_whole(self, run: Run, made: Making = at_once) -> None:
         """Draw the run's blocks as they are."""
-        gl = self._driver
         with self._uploaded(run):
-            for mode, firsts, counts in _draws(run.blocks):
-                if len(firsts) == 1:
-                    gl.glDrawArrays(mode, firsts[0], counts[0])
-                else:
-                    count = len(firsts)
-                    gl.glMultiDrawArrays(mode, (c_int * count)(*firsts), (c_int * count)(*counts), count)
+            made(partial(self._draw_blocks, run.blocks))
+
+    def _draw_blocks(self, blocks: tuple[Block, ...]) -> None:
+        gl = self._driver
+        for mode, firsts, counts in _draws(blocks):
+            if len(firsts) == 1:
+                gl.glDrawArrays(mode, firsts[0], counts[0])
+            else:
+                count = len(firsts)
+                gl.glMultiDrawArrays(mode, (c_int * count)(*firsts), (c_int * count)(*counts), count)
 
     def _bind_own(self) -> None:
         gl = self._driver

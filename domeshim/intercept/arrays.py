@@ -60,8 +60,7 @@ def _draw(
     dome.drawing()
     if context.may_subdivide and mode != _POINTS and dome.draw_arrays(int(mode), vertices()):
         return None
-    context.dress()
-    return whole()
+    return context.draw(whole)
 
 
 def writes_buffer(dome: Dome, original: Call) -> Call:

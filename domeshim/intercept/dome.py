@@ -141,9 +141,8 @@ class Dome:
                 self._flush_materials(current)
                 return
         if recorder.extras:
-            current.context.dress()
-            with inside_block(current.context):
-                current.submitter.submit(recorder, current.context)
+            context = current.context
+            current.submitter.replay(recorder, lambda draw: context.draw(inside_block(context)(draw)))
         elif self.building is not None and self._keeps(self.building):
             self.keep_mesh(recorder.take())
         else:
@@ -221,7 +220,7 @@ class Dome:
         """Draw a run in which materials change inside primitives; in a display list, when it is called."""
         recorder, context = self.recorder, current.context
         if self.building is None and not context.bends:
-            current.submitter.replay(recorder)
+            current.submitter.replay(recorder, context.draw)
             return
         run, face, exact = material_run(recorder.take())
         if not exact:
@@ -232,8 +231,7 @@ class Dome:
         def draw() -> None:
             context.scene.vertex_material = face
             context.scene.stale.add("lighting")
-            context.dress()
-            current.submitter.draw(run)
+            current.submitter.draw(run, context.draw)
             context.scene.vertex_material = None
             context.scene.stale.add("lighting")
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -51,7 +52,7 @@ def end_list(dome: Dome, original: Call) -> Call:
             built = lists.end()
             if built.execute:
                 dome.drawing()
-                lists.run(built.name, context.call_list)
+                lists.run(built.name, context.draw_list)
         return result
 
     return call
@@ -64,7 +65,7 @@ def call_list(dome: Dome, original: Call) -> Call:
         if dome.context is None or dome.lists is None:
             return original(name)
         dome.drawing()
-        dome.lists.run(int(name), dome.context.call_list)
+        dome.lists.run(int(name), dome.context.draw_list)
         return None
 
     return call
@@ -79,12 +80,11 @@ def call_lists(dome: Dome, original: Call) -> Call:
             return original(*args)
         dome.drawing()
         if lists.all_plain:
-            context.dress()
-            return original(*args)
+            return context.draw(partial(original, *args))
         base = context.driver.integer(_LIST_BASE)
         names = args if len(args) == 1 else (args[2], int(args[1]), int(args[0]))
         for offset in _offsets(*names):
-            lists.run(base + offset, context.call_list)
+            lists.run(base + offset, context.draw_list)
         return None
 
     return call

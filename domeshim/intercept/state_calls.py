@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -55,10 +56,10 @@ def draw(dome: Dome, original: Call) -> Call:
     """A call that draws at once."""
 
     def call(*args: Any, **named: Any) -> Any:
-        if dome.context is not None:
-            dome.drawing()
-            dome.context.dress()
-        return original(*args, **named)
+        if dome.context is None:
+            return original(*args, **named)
+        dome.drawing()
+        return dome.context.draw(partial(original, *args, **named))
 
     return call
 

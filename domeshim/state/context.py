@@ -9,7 +9,8 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
+from typing import Any
 
 import numpy as np
 
@@ -24,13 +25,14 @@ from domeshim.state.placement import Placement, Placer
 from domeshim.state.scene import GROUPS, SceneState
 from domeshim.state.scissor import Edges, edges_of
 from domeshim.state.subdivision import Subdivision, Tolerance
+from domeshim.state.views import Dressing, View, Worn
 from domeshim.state.wardrobe import Look, Wardrobe
 from domeshim.state.window_pixels import WindowPixels
 from domeshim.window.frame import Frame, Rectangle
 
 _VIEWPORT, _MATRIX_MODE, _MODELVIEW, _PROJECTION, _TEXTURE = 0x0BA2, 0x0BA0, 0x1700, 0x1701, 0x1702
 _MODELVIEW_MATRIX, _PROJECTION_MATRIX, _CURRENT_PROGRAM = 0x0BA6, 0x0BA7, 0x8B8D
-_PATCH_VERTICES = 0x8E72
+_PATCH_VERTICES, _CURRENT_AND_LIGHTING_BITS = 0x8E72, 0x0041
 _SCISSOR_TEST, _SCISSOR_BOX = 0x0C11, 0x0C10
 
 
@@ -45,19 +47,6 @@ class Seen:
     """What the scissor leaves of the viewport."""
     projection: Matrix
     placement: Placement
-
-
-@dataclass(frozen=True)
-class _Dressing:
-    """All that is on while the dome draws, and off again before the program could notice."""
-
-    program: int
-    enables: tuple[int, ...]
-    viewport: Rectangle
-    programs: Rectangle
-    """The program's own viewport."""
-    scissor: Rectangle | None
-    """The program's own, while it is off."""
 
 
 class DomeContext:
@@ -82,7 +71,8 @@ class DomeContext:
         self._matrix_mode = driver.integer(_MATRIX_MODE)
         self._seen: Seen | None = None
         self._raster = False
-        self._dressing: _Dressing | None = None
+        self._worn = Worn(driver)
+        self._several = False
         self._patch: Patch | None = None
 
     # What a call changed.
@@ -158,7 +148,7 @@ class DomeContext:
     def bends(self) -> bool:
         """The next draw goes through a vertex program of the dome's."""
         self.dress()
-        return self._dressing is not None and self._dressing.program != 0
+        return self._worn.dressing is not None and self._worn.dressing.program != 0
 
     @property
     def bypassed(self) -> bool:
@@ -193,16 +183,38 @@ class DomeContext:
         if self._bypasses:
             self.own.leave_straight()
             return
-        if self._dressing is None or self._stale or patch != self._patch or raster != self._raster:
+        if self._worn.dressing is None or self._stale or patch != self._patch or raster != self._raster:
             self._uncover()
             self._patch, self._raster = patch, raster
             self._put_on(*self._look())
             if patch is not None and patch.method == "tessellate":
                 self.driver.glPatchParameteri(_PATCH_VERTICES, patch.corners)
 
-    def call_list(self, name: int, patch: Patch | None = None) -> None:
-        """Draw one of GL's own lists; patch: as for dress."""
+    def draw(self, call: Callable[[], object], patch: Patch | None = None) -> Any:
+        """Make a draw, once in each view, and return what the call returns; patch: as for dress.
+
+        What it leaves in GL beside pixels (the current colour, say) is as after one draw.
+        """
         self.dress(patch)
+        return self._in_each_view(call) if self._several and not self.compiling else call()
+
+    def _in_each_view(self, call: Callable[[], object]) -> Any:
+        views = self._worn.dressing.views if self._worn.dressing is not None else ()
+        for view in views[:-1]:
+            self._worn.show(view)
+            self.driver.glPushAttrib(_CURRENT_AND_LIGHTING_BITS)
+            call()
+            self.driver.glPopAttrib()
+        if views:
+            self._worn.show(views[-1])
+        return call()
+
+    def draw_list(self, name: int, patch: Patch | None = None) -> None:
+        """Draw one of GL's own lists; patch: as for dress."""
+        if self._several:
+            self.draw(partial(self.driver.glCallList, name), patch)
+            return
+        self.dress(patch)  # the same with fewer calls: programs call thousands of lists a picture
         self.driver.glCallList(name)
 
     @property
@@ -274,20 +286,8 @@ class DomeContext:
 
     def undress(self) -> None:
         """Give GL back to the program just as it left it."""
-        dressing = self._dressing
-        if dressing is None or self.compiling:
-            return
-        self._dressing = None
-        gl = self.driver
-        for capability in dressing.enables:
-            gl.glDisable(capability)
-        if dressing.scissor is not None:
-            gl.glScissor(*dressing.scissor)
-            gl.glEnable(_SCISSOR_TEST)
-        if dressing.viewport != dressing.programs:
-            gl.glViewport(*dressing.programs)
-        if dressing.program:
-            gl.glUseProgram(self._programs_own)
+        if not self.compiling:
+            self._worn.take_off(self._programs_own)
 
     def _uncover(self) -> None:
         """Undress if GL is about to be asked for what the dome changes."""
@@ -339,42 +339,23 @@ class DomeContext:
         return np.array(self.driver.doubles(name, 16)).reshape(4, 4).T
 
     def _put_on(self, seen: Seen, scene: Scene) -> None:
-        placement, scissor = seen.placement, seen.scissor
+        placement, views = seen.placement, (View(self.frame.square),)
         look = Look(placement, scene, seen.edges, self._patch, self._raster, self.own.fragments)
         if placement.hud and self._options.hud == "flat":
             self.own.leave_straight()
-            self._change(_Dressing(0, (), self.frame.flat(seen.viewport), seen.viewport, scissor))
-            if scissor is not None:
-                self.driver.glScissor(*self.frame.flat(scissor))
-                self.driver.glEnable(_SCISSOR_TEST)
+            part = None if seen.scissor is None else self.frame.flat(seen.scissor)
+            self._wear(Dressing(0, (), (View(self.frame.flat(seen.viewport), part),)), seen)
         elif self.own.current is not None:
             enables = self.own.bend(placement, seen.projection, seen.edges, scene.clip_planes)
             enables = (*enables, *self._wardrobe.discard(look))
-            self._change(_Dressing(0, enables, self.frame.square, seen.viewport, scissor))
+            self._wear(Dressing(0, enables, views, self.own.current), seen)
         else:
             outfit = self._wardrobe.outfit(look)
-            enables = outfit.enables
-            self._change(_Dressing(outfit.program.name, enables, self.frame.square, seen.viewport, scissor))
+            self._wear(Dressing(outfit.program.name, outfit.enables, views, outfit.program), seen)
             self._wardrobe.send(outfit, look, self.tolerance.detail)
 
-    def _change(self, new: _Dressing) -> None:
-        """Put on what is not on already, and take off what is too much."""
-        gl, old = self.driver, self._dressing
-        self._dressing = new
-        if old is None:
-            old = _Dressing(0, (), new.programs, new.programs, None)
-            if new.scissor is not None:
-                gl.glDisable(_SCISSOR_TEST)
-        for capability in old.enables:
-            if capability not in new.enables:
-                gl.glDisable(capability)
-        for capability in new.enables:
-            if capability not in old.enables:
-                gl.glEnable(capability)
-        if new.viewport != old.viewport:
-            gl.glViewport(*new.viewport)
-        if new.program != old.program:
-            gl.glUseProgram(new.program or self._programs_own)
+    def _wear(self, dressing: Dressing, seen: Seen) -> None:
+        self._worn.put_on(dressing, View(seen.viewport, seen.scissor), self._programs_own)
 
     @property
     def _programs_own(self) -> int:
