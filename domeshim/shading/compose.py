@@ -49,8 +49,9 @@ class Source:
 
 @dataclass
 class Draft:
-    """A shader in the making: the snippets that it needs, and the statements of its main()."""
+    """A shader in the making: the snippets that it needs, and the statements of its last function."""
 
+    opening: str = "void main() {"
     snippets: list[str] = field(default_factory=list)
     statements: list[str] = field(default_factory=list)
 
@@ -60,13 +61,16 @@ class Draft:
             self.snippets.append(name)
 
     def add(self, *statements: str) -> None:
-        """Put statements at the end of main()."""
+        """Put statements at the end of the function."""
         self.statements.extend(statements)
 
-    def source(self, version: str = VERSION) -> Source:
-        """The shader's text."""
-        main = "\n".join(["void main() {", *(f"    {s}" for s in self.statements), "}"])
-        return Source.join([*((name, snippet(name)) for name in self.snippets), ("main", main)], version)
+    def source(self, version: str = VERSION, head: str = "") -> Source:
+        """The shader's text; head: lines of the preprocessor above all else."""
+        last = "\n".join([self.opening, *(f"    {s}" for s in self.statements), "}"])
+        parts = [("head", head)] if head else []
+        return Source.join(
+            [*parts, *((name, snippet(name)) for name in self.snippets), ("main", last)], version
+        )
 
 
 def compose(recipe: Recipe) -> Source:

@@ -54,6 +54,13 @@ def add_place(draft: Draft, recipe: Recipe) -> None:
     draft.need("tessellate/reach_tilted" if recipe.mapping.tilted else "tessellate/reach_dome")
 
 
+def add_edges(draft: Draft, recipe: Recipe) -> None:
+    """What finds the pieces of a patch's edges."""
+    draft.need("tessellate/direction")
+    draft.need("tessellate/level")
+    draft.need(f"tessellate/{shape(recipe)}_edges")
+
+
 def add_vertex(draft: Draft, recipe: Recipe, shares: str) -> None:
     """The statements that make a vertex of its weights b in the patch.
 

@@ -6,10 +6,21 @@ The control shader finds each edge's pieces by its angle; the evaluation shader 
 from __future__ import annotations
 
 from domeshim.shading.compose import Draft, Source
-from domeshim.shading.pieces import Stages, add_place, add_vertex, patch_of, shape, unbent_vertex, varyings
+from domeshim.shading.pieces import (
+    Stages,
+    add_edges,
+    add_place,
+    add_vertex,
+    patch_of,
+    shape,
+    unbent_vertex,
+    varyings,
+)
 from domeshim.shading.recipe import Recipe
 
 VERSION = "#version 400 compatibility"
+_LIMITS = "#define DOME_MOST_PIECES 64.0"
+"""What every tessellator has."""
 
 
 def compose_tessellated(recipe: Recipe) -> Stages:
@@ -22,8 +33,7 @@ def compose_tessellated(recipe: Recipe) -> Stages:
 def _control(recipe: Recipe) -> Source:
     draft = Draft()
     add_place(draft, recipe)
-    draft.need("tessellate/direction")
-    draft.need("tessellate/level")
+    add_edges(draft, recipe)
     draft.need(f"tessellate/{shape(recipe)}.tesc")
     for varying in ("gl_Position", *varyings(recipe)):
         draft.add(f"gl_out[gl_InvocationID].{varying} = gl_in[gl_InvocationID].{varying};")
@@ -31,12 +41,13 @@ def _control(recipe: Recipe) -> Source:
         draft.need("tessellate/piece.tesc")
         draft.add("domeShares[gl_InvocationID] = domeShare[gl_InvocationID];")
     draft.add("if (gl_InvocationID == 0)", "    subdivide();")
-    return draft.source(VERSION)
+    return draft.source(VERSION, _LIMITS)
 
 
 def _evaluation(recipe: Recipe) -> Source:
     draft = Draft()
     add_place(draft, recipe)
+    draft.need(f"tessellate/{shape(recipe)}_weights")
     draft.need(f"tessellate/{shape(recipe)}.tese")
     if patch_of(recipe).split:
         draft.need("tessellate/piece.tese")

@@ -12,6 +12,7 @@ from domeshim.lens.models import Lens
 from domeshim.options import Options
 from domeshim.shading.compose import compose
 from domeshim.shading.fragments import FragmentStage
+from domeshim.shading.geometry import compose_geometry
 from domeshim.shading.program import Program
 from domeshim.shading.recipe import PIECE_ATTRIBUTES, Mapping, Patch, Recipe, Scene
 from domeshim.shading.tessellation import compose_tessellated
@@ -136,7 +137,8 @@ class Wardrobe:
         shaders = fragments.shaders if fragments else ()
         if recipe.patch is None:
             return Program(self._driver, compose(recipe), attached=shaders)
-        stages = compose_tessellated(recipe)
+        compose_pieces = compose_geometry if recipe.patch.method == "geometry" else compose_tessellated
+        stages = compose_pieces(recipe)
         return Program(
             self._driver,
             stages.vertex,

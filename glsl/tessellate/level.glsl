@@ -9,5 +9,5 @@ float angleBetween(vec3 a, vec3 b) {
 }
 
 float piecesOf(float angle) {
-    return clamp(ceil(angle * domeDetail), 1.0, 64.0);
+    return clamp(ceil(angle * domeDetail), 1.0, DOME_MOST_PIECES);
 }

@@ -1,11 +1,8 @@
-// Where on the line a vertex lies: even in angle.
+// Where on the line a vertex of the tessellator's lies.
 layout(isolines, equal_spacing) in;
 patch in float domeAngle;
-patch in vec2 domeNearness;
+patch in vec2 domeDistances;
 
 vec2 weights() {
-    vec2 s = vec2(1.0 - gl_TessCoord.x, gl_TessCoord.x);
-    vec2 even = domeAngle > 1e-3 ? sin(s * domeAngle) : s;
-    vec2 b = even * domeNearness;
-    return b / (b.x + b.y);
+    return evenWeights(vec2(1.0 - gl_TessCoord.x, gl_TessCoord.x), domeAngle, domeDistances);
 }

@@ -2,6 +2,7 @@
 
 import pytest
 
+from domeshim.shading.geometry import compose_geometry
 from domeshim.shading.program import Program
 from domeshim.shading.recipe import Light, Lighting, Mapping, Patch, Recipe, Scene, Texture
 from domeshim.shading.tessellation import compose_tessellated
@@ -10,14 +11,21 @@ from tests.shading.test_compose import every_mapping, every_scene
 
 @pytest.mark.parametrize("split", [False, True], ids=["whole", "split"])
 @pytest.mark.parametrize("kind", ["triangles", "lines"])
-def test_every_mapping_and_every_scene_compiles(driver, kind, split):
-    patch = Patch(kind, split=split)
+@pytest.mark.parametrize("method", ["tessellate", "geometry"])
+def test_every_mapping_and_every_scene_compiles(driver, method, kind, split):
+    patch = Patch(kind, method, split=split)
     recipes = {Recipe(m, patch=patch) for m in every_mapping() if m.method == "vertex"}
     recipes |= {Recipe(Mapping(place="panel"), s, patch, flat=True) for s in every_scene()}
     recipes |= {Recipe(Mapping(tilted=True), s, patch) for s in every_scene()}
     for recipe in recipes:
-        stages = compose_tessellated(recipe)
-        program = Program(driver, stages.vertex, control=stages.control, evaluation=stages.evaluation)
+        stages = compose_geometry(recipe) if method == "geometry" else compose_tessellated(recipe)
+        program = Program(
+            driver,
+            stages.vertex,
+            control=stages.control,
+            evaluation=stages.evaluation,
+            geometry=stages.geometry,
+        )
         driver.glDeleteProgram(program.name)
     assert len(recipes) > 50
     assert driver.glGetError() == 0
