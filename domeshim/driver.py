@@ -7,11 +7,13 @@ calls, many a frame, and must neither pay for that nor disturb the program's own
 from __future__ import annotations
 
 import ctypes
+import re
 from ctypes import POINTER, c_char_p, c_double, c_float, c_int, c_ssize_t, c_ubyte, c_uint, c_void_p
 from typing import Any
 
 from domeshim.errors import DriverError
 
+_VERSION = 0x1F02
 _INT, _UINT, _ENUM, _FLOAT, _POINTER = c_int, c_uint, c_uint, c_float, c_void_p
 
 _SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
@@ -145,6 +147,12 @@ class Driver:
         except DriverError:
             return False
         return True
+
+    @property
+    def version(self) -> tuple[int, int]:
+        """The current context's version of GL, as in (4, 5)."""
+        found = re.match(rb"(\d+)\.(\d+)", self.glGetString(_VERSION) or b"")
+        return (int(found[1]), int(found[2])) if found else (0, 0)
 
     def integers(self, name: int, count: int) -> tuple[int, ...]:
         """What glGetIntegerv says, as so many integers."""

@@ -156,8 +156,8 @@ _SETTINGS = {
     "tilt": _Setting("degrees from -180 to 180", _number(lambda degrees: -180 <= degrees <= 180)),
     "lens": _Setting("equidistant, or polynomial:c1,..,c5", _lens),
     "method": _Setting(
-        "auto, paper, vertex, tessellate",
-        _choice(("auto", "paper", "vertex", "tessellate"), later=("geometry", "cpu", "cubemap")),
+        "auto, paper, vertex, tessellate, geometry, cpu",
+        _choice(("auto", "paper", "vertex", "tessellate", "geometry", "cpu"), later=("cubemap",)),
     ),
     "tolerance": _Setting("pixels, at least 0.01", _number(lambda pixels: pixels >= 0.01)),
     "hud": _Setting("panel, flat, off", _choice(("panel", "flat", "off"), later=("side",))),

@@ -6,14 +6,15 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from domeshim.draw.extent import Extent
-from domeshim.draw.subdivide import extent_of, filled, pieces, subdivide
-from domeshim.shading.recipe import Patch
+from domeshim.draw.subdivide import extent_of, filled, primitives_of, stippled, subdivide, taken
+from domeshim.shading.recipe import Patch, PatchMethod
 
 if TYPE_CHECKING:
     from domeshim.draw.submit import Submitter
     from domeshim.record.immediate import Run
     from domeshim.record.lists import DisplayLists
     from domeshim.state.context import DomeContext
+    from domeshim.state.subdivision import Subdivision
 
 _POINTS = 0x0000
 
@@ -34,25 +35,27 @@ class ListedMesh:
         """Draw it, and leave its last attributes current."""
         context = self._context
         subdivision = context.subdivision(self._extent) if self._extent is not None else None
-        if subdivision == "split" or (subdivision and not filled(context)):
+        if subdivision is None:
+            context.draw_list(self._whole)
+        elif subdivision.split or not filled(context) or stippled(context):
             if not subdivide(self._run, context, self._submitter, subdivision):
                 context.draw_list(self._whole)
-        elif subdivision:
-            for patch, name in self._in_patches():
-                context.draw_list(name, patch)
         else:
-            context.draw_list(self._whole)
+            for patch, name in self._in_patches(subdivision):
+                context.draw_list(name, patch)
         self._submitter.make_current(self._run)
 
     def names(self) -> list[int]:
         """The GL lists that it has made, to be deleted with it."""
         return [self._whole, *(name for _, name in self._patches or ())]
 
-    def _in_patches(self) -> list[tuple[Patch | None, int]]:
+    def _in_patches(self, subdivision: Subdivision) -> list[tuple[Patch | None, int]]:
         if self._patches is None:
             self._patches = []
-            for kind, piece in pieces(self._run):
-                patch = None if kind == "points" else Patch(kind)
+            method: PatchMethod = "geometry" if subdivision.method == "geometry" else "tessellate"
+            for kind, indices in primitives_of(self._run):
+                patch = None if kind == "points" else Patch(kind, method)
+                piece = taken(self._run, indices)
                 name = self._lists.compile(self._drawing(patch.mode if patch else _POINTS, piece))
                 self._patches.append((patch, name))
         return self._patches

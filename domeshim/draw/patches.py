@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 Indices = NDArray[np.int64]
-Kind = Literal["points", "lines", "triangles"]
+Edged = Literal["lines", "triangles"]
+Kind = Literal["points"] | Edged
 
 POINTS, LINES, LINE_LOOP, LINE_STRIP, TRIANGLES, TRIANGLE_STRIP, TRIANGLE_FAN, QUADS, QUAD_STRIP, POLYGON = (
     range(10)

@@ -36,21 +36,43 @@ def split_wide(run: Run, corners: int, to_eye: Floats, widest: float) -> Run:
     return replace(run, positions=run.positions[chosen], attributes=attributes)
 
 
+def triangles_under(run: Run, to_eye: Floats, widest: float, *, flat: bool) -> Run:
+    """The same for triangles, as vertices of their own: all attributes are blended.
+
+    flat: what makes a colour is the third corner's all over a triangle.
+    """
+    parents, places, weights = _pieces(run, 3, to_eye, widest)
+
+    def blended(name: str, values: NDArray[np.float32]) -> NDArray[np.float32]:
+        of_corners = values.reshape(-1, 3, values.shape[1])[parents]
+        if flat and not name.startswith("texture"):
+            of_corners = np.broadcast_to(of_corners[:, 2:], of_corners.shape)
+        mixed: NDArray[np.float32] = (weights @ of_corners).reshape(-1, values.shape[1]).astype(np.float32)
+        return mixed
+
+    attributes = {name: blended(name, values) for name, values in run.attributes.items()}
+    return replace(run, positions=places.reshape(-1, 4).astype(np.float32), attributes=attributes)
+
+
+def homogeneous(positions: Floats) -> Floats:
+    """(n, 3 or 4) positions as (n, 4) in float64."""
+    if positions.shape[1] == 3:
+        positions = np.hstack([positions, np.ones((len(positions), 1), np.float32)])
+    return positions.astype(float)
+
+
 def _pieces(run: Run, corners: int, to_eye: Floats, widest: float) -> tuple[NDArray[np.intp], Floats, Floats]:
     """Each piece's primitive, (m,), its corners, (m, corners, 4), and where those lie in the primitive.
 
     The last are weights of the primitive's corners: (m, corners, corners), the rows of sum 1.
     """
-    positions = run.positions
-    if positions.shape[1] == 3:
-        positions = np.hstack([positions, np.ones((len(positions), 1), np.float32)])
-    places = positions.astype(float).reshape(-1, corners, 4)
+    places = homogeneous(run.positions).reshape(-1, corners, 4)
     parents = np.flatnonzero(np.isfinite(places).all((1, 2)))
     weights = np.broadcast_to(np.eye(corners), (len(places), corners, corners))
     pieces = np.concatenate([places, weights], -1)[parents]
     done_pieces, done_parents = [], []
     for _ in range(_MOST_ROUNDS):
-        angles, lengths = _edges(pieces[:, :, :4] @ to_eye.T)
+        angles, lengths = angles_between(pieces[:, :, :4] @ to_eye.T)
         wide = angles.max(1, initial=0) > widest
         done_pieces.append(pieces[~wide])
         done_parents.append(parents[~wide])
@@ -65,7 +87,7 @@ def _pieces(run: Run, corners: int, to_eye: Floats, widest: float) -> tuple[NDAr
     return np.concatenate(done_parents), all_pieces[:, :, :4], all_pieces[:, :, 4:]
 
 
-def _edges(eye: Floats) -> tuple[Floats, Floats]:
+def angles_between(eye: Floats) -> tuple[Floats, Floats]:
     """Angle of each edge, corner i to i + 1, and distance of each corner. eye: (m, corners, 4)."""
     points = np.where(eye[..., 3:] < 0, -eye[..., :3], eye[..., :3])
     lengths = np.linalg.norm(points, axis=-1)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from ctypes import c_int, c_uint
+from dataclasses import replace
 from functools import partial
 from itertools import groupby
 from operator import itemgetter
@@ -70,7 +71,7 @@ class Submitter:
         finally:
             recorder.clear()
 
-    def draw_as_needed(self, run: Run, context: DomeContext, subdivision: Subdivision) -> None:
+    def draw_as_needed(self, run: Run, context: DomeContext, subdivision: Subdivision | None) -> None:
         """Draw a run onto the dome, in patches if it needs them, and leave its last attributes current."""
         if subdivision is None or not subdivide(run, context, self, subdivision):
             self.draw_whole(run, context.draw)
@@ -191,6 +192,10 @@ class Submitter:
                 gl.glTexCoordPointer(4, _FLOAT, 0, data)
                 gl.glClientActiveTexture(active)
 
+    def completed(self, run: Run) -> Run:
+        """The run with every attribute of every vertex known."""
+        return replace(run, attributes={n: self._filled(n, values) for n, values in run.attributes.items()})
+
     def _filled(self, name: str, values: NDArray[np.float32]) -> NDArray[Any]:
         """Rows of nan become the value that is current now."""
         if np.isnan(values[:, 0]).any():
@@ -200,7 +205,7 @@ class Submitter:
         return values.astype(np.uint8) if name == "edge" else values
 
 
-def _subdivision_of_few(recorder: Immediate, context: DomeContext) -> Subdivision:
+def _subdivision_of_few(recorder: Immediate, context: DomeContext) -> Subdivision | None:
     """What a few vertices need to keep the tolerance."""
     if not recorder.blocks or recorder.extras or not context.minds_edges:
         return None

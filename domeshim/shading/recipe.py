@@ -21,11 +21,15 @@ Some drivers lay generic attributes over the built-in ones; these two lie over n
 """
 
 
+PatchMethod = Literal["tessellate", "geometry"]
+"""Which shader subdivides."""
+
+
 class Patch(NamedTuple):
     """What a draw hands over to be subdivided on the GPU, and how."""
 
     kind: Literal["triangles", "lines"]
-    method: Literal["tessellate", "geometry"] = "tessellate"
+    method: PatchMethod = "tessellate"
     split: bool = False
     """Pieces of larger primitives: each vertex has the larger one's corner, and tells where its own lies."""
 

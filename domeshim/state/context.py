@@ -24,7 +24,7 @@ from domeshim.state.perspective import Matrix
 from domeshim.state.placement import Placement, Placer
 from domeshim.state.scene import GROUPS, SceneState
 from domeshim.state.scissor import Edges, edges_of
-from domeshim.state.subdivision import Subdivision, Tolerance
+from domeshim.state.subdivision import Method, Subdivision, Tolerance, method_of
 from domeshim.state.views import Dressing, View, Worn
 from domeshim.state.wardrobe import Look, Wardrobe
 from domeshim.state.window_pixels import WindowPixels
@@ -220,14 +220,14 @@ class DomeContext:
     @property
     def minds_edges(self) -> bool:
         """How long the edges of what is drawn now are makes a difference."""
-        return not self.compiling and not self._bypasses and self._can_subdivide
+        return not self.compiling and not self._bypasses and self.method is not None
 
     @property
     def may_subdivide(self) -> bool:
         """What is drawn now could be subdivided."""
-        return not self._bypasses and self.own.current is None and self._can_subdivide
+        return not self._bypasses and self.own.current is None and self.method is not None
 
-    def subdivision(self, extent: Extent) -> Subdivision:
+    def subdivision(self, extent: Extent) -> Subdivision | None:
         """What a mesh needs to keep the tolerance: nothing, pieces of its edges, or to be split first."""
         if not self.minds_edges:
             return None
@@ -240,7 +240,7 @@ class DomeContext:
             return None
         angle = extent.largest_angle(to_eye)
         if own is None:
-            return self.tolerance.subdivision(angle)
+            return self.tolerance.subdivision(angle, self.scene.scene)
         if self.tolerance.broken_by(angle) and not own.own_matrices:
             self.say_once("long edges drawn by the program's own GLSL stay straight: it is not subdivided")
         return None
@@ -251,18 +251,14 @@ class DomeContext:
         return np.array(self._to_eye(self.seen.placement)).reshape(4, 4).T
 
     @cached_property
-    def _can_subdivide(self) -> bool:
-        if self._options.method not in ("auto", "tessellate"):
-            return False
-        if not self.driver.has("glPatchParameteri"):
-            self.say_once("this OpenGL has no tessellation shaders: long edges stay straight (method vertex)")
-            return False
-        return True
+    def method(self) -> Method | None:
+        """What subdivides, if anything does."""
+        return method_of(self._options.method, self.driver, self.say_once)
 
     @cached_property
     def tolerance(self) -> Tolerance:
         """What the tolerance asks of the lens in this frame."""
-        return Tolerance(self._options, self.lens, self._frame)
+        return Tolerance(self._options, self.lens, self._frame, self.method)
 
     @property
     def frame(self) -> Frame:

@@ -1,0 +1,50 @@
+"""Lines cut on the CPU, evenly in angle, into strips: for GL without the shaders, and for stippled lines.
+
+GL counts a stipple pattern along a strip and begins it anew with the next, so that the pieces of one line,
+and lines that the program joined, must be one strip.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from domeshim.draw.patches import LINE_STRIP, Indices
+from domeshim.draw.split import Floats, angles_between, homogeneous
+from domeshim.lens.weights import line_weights
+from domeshim.record.immediate import Block, Run
+
+_OF_ONE_CORNER = ("color", "secondary")
+"""What is one value along a flat-shaded line."""
+
+
+def line_strips(run: Run, lines: Indices, to_eye: Floats, widest: float, *, flat: bool) -> Run:
+    """Some lines of a run, each cut into pieces that subtend less than an angle, radians.
+
+    lines: (n, 2) indices of the run's vertices; one that begins where the one before ends goes on with its
+    strip. to_eye: (4, 4), the run's space to eye space; flat: each line has its second end's colour.
+    """
+    positions = homogeneous(run.positions)
+    lines = lines[np.isfinite(positions[lines]).all((1, 2))]
+    angles, distances = angles_between(positions[lines] @ to_eye.T)
+    pieces = np.maximum(np.ceil(angles[:, 0] / widest), 1).astype(int)
+    goes_on = lines[1:, 0] == lines[:-1, 1]
+    ends = np.append(~goes_on, True)[: len(lines)]
+    counts = pieces + ends
+    rows = np.repeat(np.arange(len(lines)), counts)
+    steps = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
+    second = steps / pieces[rows]
+    shares = np.stack([1 - second, second], -1)
+    weights = line_weights(shares, angles[rows, 0], distances[rows])
+
+    def blended(values: Floats, weights: Floats) -> Floats:
+        mixed: Floats = np.einsum("ij,ijk->ik", weights, values[lines[rows]])
+        return mixed
+
+    last = np.stack([steps == 0, steps > 0], -1).astype(float)
+    attributes = {
+        name: blended(values, last if flat and name in _OF_ONE_CORNER else weights).astype(np.float32)
+        for name, values in run.attributes.items()
+    }
+    stops = np.cumsum(counts)[ends].tolist()
+    blocks = tuple(Block(LINE_STRIP, a, b) for a, b in zip([0, *stops], stops, strict=False))
+    return Run(blended(positions, weights).astype(np.float32), attributes, blocks, constant=run.constant)
