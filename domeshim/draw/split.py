@@ -39,19 +39,24 @@ def split_wide(run: Run, corners: int, to_eye: Floats, widest: float) -> Run:
 def triangles_under(run: Run, to_eye: Floats, widest: float, *, flat: bool) -> Run:
     """The same for triangles, as vertices of their own: all attributes are blended.
 
-    flat: what makes a colour is the third corner's all over a triangle.
+    flat: what a colour is made of is the third corner's all over a triangle.
     """
     parents, places, weights = _pieces(run, 3, to_eye, widest)
 
     def blended(name: str, values: NDArray[np.float32]) -> NDArray[np.float32]:
         of_corners = values.reshape(-1, 3, values.shape[1])[parents]
-        if flat and not name.startswith("texture"):
+        if flat and makes_color(name):
             of_corners = np.broadcast_to(of_corners[:, 2:], of_corners.shape)
         mixed: NDArray[np.float32] = (weights @ of_corners).reshape(-1, values.shape[1]).astype(np.float32)
         return mixed
 
     attributes = {name: blended(name, values) for name, values in run.attributes.items()}
     return replace(run, positions=places.reshape(-1, 4).astype(np.float32), attributes=attributes)
+
+
+def makes_color(attribute: str) -> bool:
+    """An attribute is one value all over a flat-shaded primitive."""
+    return attribute != "fog" and not attribute.startswith("texture")
 
 
 def homogeneous(positions: Floats) -> Floats:

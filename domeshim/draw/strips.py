@@ -9,12 +9,9 @@ from __future__ import annotations
 import numpy as np
 
 from domeshim.draw.patches import LINE_STRIP, Indices
-from domeshim.draw.split import Floats, angles_between, homogeneous
+from domeshim.draw.split import Floats, angles_between, homogeneous, makes_color
 from domeshim.lens.weights import line_weights
 from domeshim.record.immediate import Block, Run
-
-_OF_ONE_CORNER = ("color", "secondary")
-"""What is one value along a flat-shaded line."""
 
 
 def line_strips(run: Run, lines: Indices, to_eye: Floats, widest: float, *, flat: bool) -> Run:
@@ -42,7 +39,7 @@ def line_strips(run: Run, lines: Indices, to_eye: Floats, widest: float, *, flat
 
     last = np.stack([steps == 0, steps > 0], -1).astype(float)
     attributes = {
-        name: blended(values, last if flat and name in _OF_ONE_CORNER else weights).astype(np.float32)
+        name: blended(values, last if flat and makes_color(name) else weights).astype(np.float32)
         for name, values in run.attributes.items()
     }
     stops = np.cumsum(counts)[ends].tolist()

@@ -59,6 +59,7 @@ def from_buffer(gl, mode, vertices):
 
 
 WAYS = [immediately, listed, from_array, from_buffer]
+METHODS = ["auto", "geometry", "cpu"]
 
 
 def true_curve(a, b, fov):
@@ -71,14 +72,15 @@ def true_curve(a, b, fov):
     return (np.stack([disc[:, 0], -disc[:, 1]], -1) + 1) * SIZE / 2 - 0.5
 
 
+@pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("way", WAYS)
 @pytest.mark.parametrize("edge", EDGES.values(), ids=EDGES)
-def test_long_lines_lie_on_their_true_curves(beside, edge, way):
+def test_long_lines_lie_on_their_true_curves(beside, edge, way, method):
     def scene(gl):
         perspective(gl)
         way(gl, gl.GL_LINES, edge)
 
-    picture = beside.through_dome(scene, (SIZE, SIZE), fov=180.0, tolerance=0.1).picture
+    picture = beside.through_dome(scene, (SIZE, SIZE), fov=180.0, tolerance=0.1, method=method).picture
     rows, columns = np.nonzero(picture.max(-1) > 128)
     curve = true_curve(*edge, 180.0)
     curve = curve[np.hypot(*(curve - (SIZE - 1) / 2).T) < SIZE / 2 - 1]
@@ -89,13 +91,14 @@ def test_long_lines_lie_on_their_true_curves(beside, edge, way):
     assert cKDTree(drawn).query(inner)[0].max() < 1.5
 
 
+@pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("way", WAYS)
-def test_a_floor_of_one_quad_reaches_the_horizon(beside, way):
+def test_a_floor_of_one_quad_reaches_the_horizon(beside, way, method):
     def scene(gl):
         perspective(gl)
         way(gl, gl.GL_QUADS, [(-50, -1, -50), (50, -1, -50), (50, -1, 50), (-50, -1, 50)])
 
-    picture = beside.through_dome(scene, (SIZE, SIZE), fov=180.0).picture[..., 0] > 128
+    picture = beside.through_dome(scene, (SIZE, SIZE), fov=180.0, method=method).picture[..., 0] > 128
     column, row = np.meshgrid((np.arange(SIZE) + 0.5) / SIZE * 2 - 1, 1 - (np.arange(SIZE) + 0.5) / SIZE * 2)
     radius = np.hypot(column, row)
     scale = np.sin(radius * np.pi / 2) / radius
@@ -107,7 +110,7 @@ def test_a_floor_of_one_quad_reaches_the_horizon(beside, way):
 
 
 @pytest.mark.parametrize(("fov", "covered"), [(180.0, 0.995), (220.0, 0.995), (300.0, 0.995), (360.0, 0.92)])
-@pytest.mark.parametrize("method", ["auto", "tessellate"])
+@pytest.mark.parametrize("method", [*METHODS, "tessellate"])
 def test_a_closed_room_has_no_pinhole(beside, fov, covered, method):
     def scene(gl):
         perspective(gl)
@@ -255,14 +258,15 @@ def floor_seen():
 
 @pytest.mark.parametrize("shade_model", ["GL_SMOOTH", "GL_FLAT"])
 @pytest.mark.parametrize("way", [immediately, listed])
-def test_a_lit_floor_is_lit_at_its_own_corners(beside, way, shade_model):
+@pytest.mark.parametrize("method", ["auto", "geometry"])
+def test_a_lit_floor_is_lit_at_its_own_corners(beside, way, method, shade_model):
     def scene(gl):
         lit_floor(gl)
         gl.glNormal3f(0, 1, 0)
         gl.glShadeModel(getattr(gl, shade_model))
         way(gl, gl.GL_QUADS, FLOOR)
 
-    picture = beside.through_dome(scene, (SIZE, SIZE), fov=180.0).picture[..., 0]
+    picture = beside.through_dome(scene, (SIZE, SIZE), fov=180.0, method=method).picture[..., 0]
     to_lamp = LAMP - FLOOR
     lit = 255 * to_lamp[:, 1] / np.linalg.norm(to_lamp, axis=1)
     x, z = (floor_seen()[..., axis] / 100 + 0.5 for axis in (0, 1))
