@@ -1,4 +1,8 @@
-"""The user's settings: DOME* variables become one frozen Options. The only reader of os.environ."""
+"""The user's settings become one frozen Options. The only reader of os.environ.
+
+A setting is looked for in a command's own options, then in the DOME* variables, then in the file DOME_CONFIG,
+then in what DOME_PRESET stands for.
+"""
 
 from __future__ import annotations
 
@@ -6,11 +10,13 @@ import math
 import os
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 
 from domeshim.errors import OptionError
+from domeshim.lens import catalogue
+from domeshim.lens.catalogue import LensName
 
-Lens = tuple[str, tuple[float, ...]]
-"""A lens model's name and its coefficients: ("equidistant", ()) or ("polynomial", (c1, .., c5))."""
+Place = tuple[float, float, float]
 
 
 @dataclass(frozen=True)
@@ -20,7 +26,14 @@ class Options:
     enabled: bool = False
     fov: float = 180.0
     tilt: float = 0.0
-    lens: Lens = ("equidistant", ())
+    heading: float = 0.0
+    roll: float = 0.0
+    seat: Place | None = None
+    """Where the viewer is, from the dome's centre: to the disc's right, to its top, to the dome's pole."""
+    projector: Place | None = None
+    radius: float = 1.0
+    """The dome's, in the unit of seat and projector."""
+    lens: LensName = ("equidistant", ())
     method: str = "auto"
     tolerance: float = 0.5
     hud: str = "panel"
@@ -40,16 +53,51 @@ class Options:
         """
         environ = os.environ if environ is None else environ
         _reject_misspelt(environ)
-        texts = {field: (variable, environ.get(variable, "")) for field, variable in VARIABLES.items()}
-        texts |= {field: (f"--{field}", text) for field, text in (given or {}).items()}
         for variable, default in _LATER.items():
-            _Setting(default, _choice((default,), later=None)).read(variable, environ.get(variable, ""))
-        values = {
-            field: _SETTINGS[field].read(name, text) for field, (name, text) in texts.items() if text.strip()
-        }
+            _Setting(default, _choice((default,), later=None)).read(
+                _Said(variable, environ.get(variable, ""))
+            )
+        said = _said_in(environ, given or {})
+        values = {field: _SETTINGS[field].read(text) for field, text in said.items() if field in _FIELDS}
         options = cls(**values)  # type: ignore[arg-type] # each setting's parser gives its field's type
-        _check_lens(options, *texts["lens"])
+        _check_lens(options, said.get("lens"))
+        _check_places(options, said)
         return options
+
+
+@dataclass(frozen=True)
+class _Said:
+    """A setting as the user gave it: the name that the user knows it by, and the text."""
+
+    name: str
+    text: str
+    folder: Path = Path()
+    """Where files are looked for that it names."""
+
+
+def _said_in(environ: Mapping[str, str], given: Mapping[str, str]) -> dict[str, _Said]:
+    """What was said of each setting, the strongest word only."""
+    said = {
+        field: _Said(variable, environ[variable])
+        for field, variable in VARIABLES.items()
+        if environ.get(variable, "").strip()
+    }
+    said |= {field: _Said(f"--{field}", text) for field, text in given.items() if text.strip()}
+    if "config" in said:
+        said = _in_file(said["config"]) | said
+    if "preset" in said:
+        preset = str(_SETTINGS["preset"].read(said["preset"]))
+        said = {field: _Said(f"the preset's {field}", text) for field, text in PRESETS[preset].items()} | said
+    return said
+
+
+def _in_file(config: _Said) -> dict[str, _Said]:
+    from domeshim.config import read_config  # noqa: PLC0415 - only where there is one
+
+    path = config.folder / config.text.strip()
+    names = {variable: field for field, variable in VARIABLES.items() if field not in ("enabled", "config")}
+    found = read_config(path, config.name, names)
+    return {field: _Said(name, text, path.parent) for field, (name, text) in found.items() if text.strip()}
 
 
 def parse_size(text: str) -> tuple[int, int]:
@@ -76,14 +124,18 @@ class _Setting:
 
     accepted: str
     parse: Callable[[str], object]
+    parse_file: Callable[[str, Path], object] | None = None
+    """For a text that may name a file: the parser for it as it was typed, and the folder of such a file."""
 
-    def read(self, name: str, text: str) -> object:
-        """The value of the setting that the user knows by this name; None for an empty text."""
-        wanted = text.strip().lower()
+    def read(self, said: _Said) -> object:
+        """The value; None for an empty text."""
+        wanted = said.text.strip()
         try:
-            return self.parse(wanted) if wanted else None
+            if self.parse_file is not None and wanted:
+                return self.parse_file(wanted, said.folder)
+            return self.parse(wanted.lower()) if wanted else None
         except ValueError as error:
-            raise _malformed(name, text, str(error), self.accepted) from None
+            raise _malformed(said.name, said.text, str(error), self.accepted) from None
 
 
 def _malformed(name: str, text: str, reason: str, accepted: str) -> OptionError:
@@ -138,23 +190,30 @@ def _fill(text: str) -> float | None:
     return None if text == "off" else _number(lambda degrees: 0 < degrees < 180)(text)
 
 
-def _lens(text: str) -> Lens:
-    name, colon, numbers = (part.strip() for part in text.partition(":"))
-    later = ("equisolid", "stereographic", "orthographic", "opencv")
-    _choice(("equidistant", "polynomial"), later)(name)
-    coefficients = tuple(_finite(number) for number in numbers.split(",")) if colon else ()
-    if name == "equidistant" and colon:
-        raise ValueError("equidistant takes no numbers")
-    if name == "polynomial" and not 1 <= len(coefficients) <= 5:
-        raise ValueError(f"polynomial takes 1 to 5 numbers, not {len(coefficients)}")
-    return name, coefficients
+def _place(text: str) -> Place:
+    numbers = [_finite(number) for number in text.split(",")]
+    if len(numbers) != 3:
+        raise ValueError(f"{len(numbers)} numbers")
+    return numbers[0], numbers[1], numbers[2]
 
 
+PRESETS = {"domemaster": {"fov": "180", "tilt": "90", "lens": "equidistant"}}
+"""What each DOME_PRESET stands for. A dome master looks straight up, and its front is at the bottom edge."""
+
+_half_turn = _number(lambda degrees: -180 <= degrees <= 180)
+_PLACE = "right,top,pole from the dome's centre, within DOME_RADIUS"
 _SETTINGS = {
     "enabled": _Setting("0 or 1", _flag),
     "fov": _Setting("degrees over 0 to 360", _number(lambda degrees: 0 < degrees <= 360)),
-    "tilt": _Setting("degrees from -180 to 180", _number(lambda degrees: -180 <= degrees <= 180)),
-    "lens": _Setting("equidistant, or polynomial:c1,..,c5", _lens),
+    "tilt": _Setting("degrees from -180 to 180", _half_turn),
+    "heading": _Setting("degrees from -180 to 180", _half_turn),
+    "roll": _Setting("degrees from -180 to 180", _half_turn),
+    "seat": _Setting(_PLACE, _place),
+    "projector": _Setting(_PLACE, _place),
+    "radius": _Setting("a length over 0", _number(lambda length: length > 0)),
+    "preset": _Setting(", ".join(PRESETS), _choice(PRESETS)),
+    "config": _Setting("a dome.toml", str),
+    "lens": _Setting(catalogue.ACCEPTED, str, catalogue.lens_named),
     "method": _Setting(
         "auto, paper, vertex, tessellate, geometry, cpu",
         _choice(("auto", "paper", "vertex", "tessellate", "geometry", "cpu"), later=("cubemap",)),
@@ -169,16 +228,18 @@ _SETTINGS = {
 }
 
 VARIABLES = {field: "DOME" if field == "enabled" else f"DOME_{field.upper()}" for field in _SETTINGS}
-"""The variable of each field of Options."""
+"""The variable of each setting."""
+
+_FIELDS = {field for field in _SETTINGS if field not in ("preset", "config")}
+"""The settings that are fields of Options; the others stand for some of them."""
 
 ACCEPTED = {field: setting.accepted for field, setting in _SETTINGS.items()}
-"""What each field of Options accepts, in words."""
+"""What each setting accepts, in words."""
 
 _LATER = {
     "DOME_SURFACE": "dome",
     "DOME_STEREO": "off",
     "DOME_EYES": "0.065",
-    "DOME_CONFIG": "none",
 }
 """Variables of versions to come, with the one value that is true of this version."""
 
@@ -197,23 +258,28 @@ def _reject_misspelt(environ: Mapping[str, str]) -> None:
             raise OptionError(f"{name}: no such variable; probably meant: {meant}")
 
 
-def _check_lens(options: Options, name: str, text: str) -> None:
-    """Raise OptionError where the lens's radius does not rise all the way to the rim."""
-    stop = _stops_rising(options.lens[1], math.radians(options.fov) / 2) if options.lens[1] else None
-    if stop is not None:
-        reason = f"the radius stops rising {math.degrees(stop):.4g} degrees from the axis"
-        half = f"{options.fov / 2:g} degrees, half of DOME_FOV"
-        raise _malformed(name, text, reason, f"polynomials that rise from 0 to {half}")
+def _check_lens(options: Options, said: _Said | None) -> None:
+    """Raise OptionError where there is no such lens of that field of view."""
+    if options.lens == ("equidistant", ()):
+        return
+    from domeshim.lens.models import LensError, lens_of  # noqa: PLC0415 - numpy, which most starts do without
+
+    try:
+        lens_of(*options.lens, options.fov)
+    except LensError as error:
+        assert said is not None
+        raise _malformed(said.name, said.text, str(error), catalogue.ACCEPTED) from None
 
 
-def _stops_rising(coefficients: tuple[float, ...], rim: float) -> float | None:
-    """The first angle in 0..rim, radians, where sum c_i phi^i no longer rises; None where it always does."""
-    largest = max(map(abs, coefficients))
-    if coefficients[0] <= 0:
-        return 0.0
-    import numpy as np  # noqa: PLC0415 - a lens of this kind is rare, and the start of Python must stay quick
+def _check_places(options: Options, said: Mapping[str, _Said]) -> None:
+    """Raise OptionError for a seat or a projector that is not within the dome."""
+    for field, place in (("seat", options.seat), ("projector", options.projector)):
+        if place is not None and math.hypot(*place) > NEAREST_TO_DOME * options.radius:
+            reason = (
+                f"{math.hypot(*place):.4g} from the dome's centre, where DOME_RADIUS is {options.radius:g}"
+            )
+            raise _malformed(said[field].name, said[field].text, reason, _SETTINGS[field].accepted)
 
-    slope = np.polynomial.Polynomial([i * (c / largest) for i, c in enumerate(coefficients, 1)])
-    zeros = slope.roots()
-    real = zeros.real[(abs(zeros.imag) < 1e-9) & (zeros.real > 0) & (zeros.real <= rim)]
-    return float(real.min()) if real.size else None
+
+NEAREST_TO_DOME = 0.95
+"""A seat or projector may be off the dome's centre by so much of its radius."""

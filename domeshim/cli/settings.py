@@ -14,7 +14,10 @@ Job = Callable[[], None]
 """What a command found to be done. Run outside of click, which has its own ideas of how a program may end."""
 Command = Callable[..., Job]
 
-FIELDS = ("fov", "tilt", "lens", "method", "tolerance", "hud", "panel", "fill", "frame", "display")
+FIELDS = (
+    *("config", "preset", "fov", "tilt", "heading", "roll", "seat", "projector", "radius", "lens"),
+    *("method", "tolerance", "hud", "panel", "fill", "frame", "display"),
+)
 """The fields of Options that domeshim run can be told."""
 FIELDS_OFF_SCREEN = tuple(field for field in FIELDS if field not in ("frame", "display"))
 """Those that mean something where no window is shown."""

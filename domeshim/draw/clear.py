@@ -9,6 +9,7 @@ import numpy as np
 from domeshim.draw.over import way_cleared
 from domeshim.driver import Driver
 from domeshim.lens.models import Lens
+from domeshim.lens.orientation import Orientation
 from domeshim.shading.compose import Source
 from domeshim.shading.program import Program
 from domeshim.shading.snippets import snippet
@@ -25,13 +26,12 @@ _CELLS = 64 * 128
 class PartClear:
     """Clears parts of one context's dome."""
 
-    def __init__(self, driver: Driver, lens: Lens, fov: float, tilt: float) -> None:
-        """lens, fov, tilt: the dome's, degrees."""
+    def __init__(self, driver: Driver, lens: Lens, fov: float, orientation: Orientation) -> None:
+        """fov: the dome's, degrees."""
         self._driver = driver
         self._lens = lens
         self._half = float(np.radians(fov / 2))
-        c, s = np.cos(np.radians(tilt)), np.sin(np.radians(tilt))
-        self._untilted = np.array([[1, 0, 0], [0, c, -s], [0, s, c]])
+        self._orientation = orientation
         self._program: Program | None = None
 
     def clear(self, mask: int, frame: Frame, camera: Matrix, edges: Edges) -> None:
@@ -62,16 +62,19 @@ class PartClear:
     def _set_up(self, camera: Matrix, edges: Edges) -> None:
         gl = self._driver
         if self._program is None:
-            lens = (f"lens/{self._lens.name}", snippet(f"lens/{self._lens.name}"))
-            vertex = Source.join([lens, ("frame/clear.vert", snippet("frame/clear.vert"))])
+            seen_along = "aim/seen_seated" if self._orientation.off_centre else "aim/seen_centred"
+            names = (f"lens/{self._lens.name}", seen_along, "frame/clear.vert")
+            vertex = Source.join((name, snippet(name)) for name in names)
             fragment = Source.join([("frame/clear.frag", snippet("frame/clear.frag"))])
             self._program = Program(gl, vertex, fragment)
         seen = np.zeros((4, 4))
-        seen[[0, 1, 3], :3] = camera @ self._untilted
+        seen[[0, 1, 3], :3] = camera @ self._orientation.turn.T
         color = (c_float * 4)()
         gl.glGetFloatv(_COLOR_CLEAR_VALUE, color)
         gl.glUseProgram(self._program.name)
         self._program.set("domeLens", self._lens.uniform)
+        for uniform, values in self._orientation.uniforms:
+            self._program.set(uniform, values)
         self._program.set("domeHalf", (self._half,))
         self._program.set("domeDepth", (2 * gl.doubles(_DEPTH_CLEAR_VALUE, 1)[0] - 1,))
         self._program.set("domeSeen", tuple(seen.T.ravel()))

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
 
 from domeshim.lens.models import Lens
+from domeshim.lens.orientation import STRAIGHT, Orientation
 from domeshim.lens.projection import disc_of
 
 _STEP = 1e-3
@@ -14,27 +16,45 @@ _CLOSEST_TO_ANTI_AXIS = 0.9 * np.pi
 """Straight behind every lens is singular: no bound holds there."""
 
 
-@lru_cache(maxsize=16)
-def curvature(lens: Lens, fov: float) -> float:
+def curvature(lens: Lens, fov: float, orientation: Orientation = STRAIGHT) -> float:
     """The k of "a chord of angle a is off by at most R k a^2 / 8": the strongest bend of a great circle.
 
     The largest second derivative of the disc position along great circles within the field of view (fov in
     degrees), over all places and headings. 1 for an equidistant lens of 180 degrees.
     """
-    phi, heading = np.meshgrid(
-        np.linspace(1e-3, min(np.radians(fov / 2), _CLOSEST_TO_ANTI_AXIS), 181), np.linspace(0, np.pi / 2, 31)
+    return _curvature(lens, fov, replace(orientation, tilt=0.0, heading=0.0, roll=0.0))
+
+
+@lru_cache(maxsize=16)
+def _curvature(lens: Lens, fov: float, orientation: Orientation) -> float:
+    reach = min(np.radians(fov / 2), _CLOSEST_TO_ANTI_AXIS)
+    # Around a lens all ways from the axis are alike; from a seat they are not.
+    around = np.linspace(0, 2 * np.pi, 48, endpoint=False) if orientation.off_centre else np.zeros(1)
+    farthest = np.pi if orientation.off_centre else reach
+    phi, theta, heading = np.meshgrid(
+        np.linspace(1e-3, farthest, 181 if orientation.off_centre else 721),
+        around,
+        np.linspace(0, np.pi, 13 if orientation.off_centre else 31),
+        indexing="ij",
     )
-    here = np.stack([np.sin(phi), np.zeros_like(phi), -np.cos(phi)], -1)
-    along = np.stack([np.cos(phi), np.zeros_like(phi), np.sin(phi)], -1) * np.cos(heading)[..., None]
-    along[..., 1] += np.sin(heading)
+    cos, sin = np.cos(theta), np.sin(theta)
+    here = np.stack([np.sin(phi) * cos, np.sin(phi) * sin, -np.cos(phi)], -1)
+    outward = np.stack([np.cos(phi) * cos, np.cos(phi) * sin, np.sin(phi)], -1)
+    across = np.stack([-sin, cos, np.zeros_like(phi)], -1)
+    along = outward * np.cos(heading)[..., None] + across * np.sin(heading)[..., None]
     before, after = (here * np.cos(_STEP) + sign * along * np.sin(_STEP) for sign in (-1, 1))
-    second = (disc_of(before, lens) - 2 * disc_of(here, lens) + disc_of(after, lens)) / _STEP**2
-    return float(np.linalg.norm(second, axis=-1).max())
+    discs = [disc_of(place, lens, orientation) for place in (before, here, after)]
+    second = np.linalg.norm(discs[0] - 2 * discs[1] + discs[2], axis=-1) / _STEP**2
+    rays = orientation.aimed(here)
+    seen = np.arctan2(np.hypot(rays[..., 0], rays[..., 1]), -rays[..., 2]) <= reach + 1e-9
+    return float(second[seen].max())
 
 
-def pieces_per_radian(lens: Lens, fov: float, radius: float, tolerance: float) -> float:
+def pieces_per_radian(
+    lens: Lens, fov: float, radius: float, tolerance: float, orientation: Orientation = STRAIGHT
+) -> float:
     """How many straight pieces an arc of one radian needs; radius of the disc and tolerance in pixels."""
-    return float(np.sqrt(radius * curvature(lens, fov) / (8 * tolerance)))
+    return float(np.sqrt(radius * curvature(lens, fov, orientation) / (8 * tolerance)))
 
 
 def farthest(fov: float, detail: float) -> float:

@@ -2,99 +2,226 @@
 
 from __future__ import annotations
 
+import math
+import pkgutil
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from typing import Literal, Protocol
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
+from domeshim.lens.catalogue import Numbers, entry_of
+
 Floats = NDArray[np.float64]
 
 
-class Lens(Protocol):
-    """An angle's radius on the disc, and back; hashable, so that what follows from it is found once."""
+class LensError(ValueError):
+    """A lens cannot be what was asked of it; says why."""
 
-    def __hash__(self) -> int:
-        """Equal lenses have equal numbers."""
+
+class Lens(ABC):
+    """An angle's radius on the disc, and back; hashable, so that what follows from it is found once.
+
+    A model holds from the axis to the lens's end, and rises there. Beyond its end a lens goes straight on,
+    for what is drawn may reach there, and must not fold back into the picture.
+    """
+
+    name: ClassVar[str]
+    """The snippet's name in glsl/lens."""
+    fov: float
+    """Full angle, degrees: the picture ends here."""
+
+    @classmethod
+    @abstractmethod
+    def of(cls, numbers: Numbers, fov: float) -> Lens:
+        """The lens with these numbers of the catalogue's.
+
+        Raises LensError where the model cannot do so; says why.
+        """
 
     @property
-    def name(self) -> Literal["equidistant", "polynomial"]:
-        """The snippet's name in glsl/lens."""
-
-    @property
+    @abstractmethod
     def uniform(self) -> tuple[float, ...]:
         """The values of the snippet's domeLens."""
 
+    @property
+    def end(self) -> float:
+        """The angle from the axis up to which the model holds, radians: half the field of view."""
+        return math.radians(self.fov) / 2
+
     def radius(self, phi: Floats) -> Floats:
         """phi: (...) radians from the axis -> (...) radius, 1 at the frame's inscribed circle."""
+        phi = np.asarray(phi, float)
+        known = np.minimum(phi, self.end)
+        radius: Floats = np.asarray(self._radius(known)) + self.slope(np.array(self.end)) * (phi - known)
+        return radius
+
+    def slope(self, phi: Floats) -> Floats:
+        """phi: (...) radians from the axis -> (...) how much radius one more radian is."""
+        return self._slope(np.minimum(np.asarray(phi, float), self.end))
 
     def angle(self, radius: Floats) -> Floats:
         """radius: (...) -> (...) radians from the axis; nan where the lens never reaches that far."""
+        radius = np.asarray(radius, float)
+        last = self._radius(np.array(self.end))
+        within = radius <= last * (1 + 1e-9)
+        return np.where(within, self._angle(np.clip(radius, 0.0, last)), np.nan)
+
+    @property
+    def _edge(self) -> tuple[float, float]:
+        """The uniform's first two values: where the lens goes straight on, and how steeply."""
+        return self.end, float(self.slope(np.array(self.end)))
+
+    @abstractmethod
+    def _radius(self, phi: Floats) -> Floats:
+        """The radius up to the end."""
+
+    @abstractmethod
+    def _slope(self, phi: Floats) -> Floats:
+        """The slope up to the end."""
+
+    @abstractmethod
+    def _angle(self, radius: Floats) -> Floats:
+        """The angle of radii that the lens reaches."""
 
 
 @dataclass(frozen=True)
-class Equidistant:
+class Equidistant(Lens):
     """The radius grows evenly with the angle and is 1 at half the field of view."""
 
     fov: float
-    """Full angle, degrees."""
-    name: Literal["equidistant"] = "equidistant"
+    name: ClassVar[str] = "equidistant"
+
+    @classmethod
+    def of(cls, numbers: Numbers, fov: float) -> Equidistant:  # noqa: ARG003 - it takes none
+        """The lens of this field of view."""
+        return cls(fov)
 
     @property
     def uniform(self) -> tuple[float, ...]:
         """1 / (fov / 2), radians."""
-        return (1.0 / np.radians(self.fov / 2),)
+        return (1.0 / self.end,)
 
-    def radius(self, phi: Floats) -> Floats:
-        """phi: (...) radians -> (...) radius."""
-        return np.asarray(phi, float) * self.uniform[0]
+    def _radius(self, phi: Floats) -> Floats:
+        return phi / self.end
 
-    def angle(self, radius: Floats) -> Floats:
-        """radius: (...) -> (...) radians."""
-        return np.asarray(radius, float) / self.uniform[0]
+    def _slope(self, phi: Floats) -> Floats:
+        return np.full_like(phi, 1.0 / self.end)
+
+    def _angle(self, radius: Floats) -> Floats:
+        return radius * self.end
 
 
-@dataclass(frozen=True)
-class Polynomial:
-    """radius = c1 phi + .. + c5 phi^5, phi in radians: a measured lens (Bailey, Clothier, Gebbie 2006).
+class _Formula(Lens):
+    """A lens by one trigonometric function, scaled to reach the radius 1 at half the field of view."""
 
-    The radius is the lens's own, 1 at the frame's inscribed circle: the field of view cuts it and does
-    not scale it.
-    """
+    widest: ClassVar[float]
+    """Up to this field of view, degrees, the function rises to something finite."""
+    why: ClassVar[str]
 
-    coefficients: tuple[float, float, float, float, float]
-    fov: float
-    """Full angle, degrees: the picture ends here."""
-    name: Literal["polynomial"] = "polynomial"
+    def __init__(self, fov: float) -> None:
+        raise NotImplementedError
+
+    @classmethod
+    def of(cls, numbers: Numbers, fov: float) -> Lens:  # noqa: ARG003 - it takes none
+        """The lens of this field of view.
+
+        Raises LensError where the function does not reach that far.
+        """
+        if fov > cls.widest:
+            raise LensError(f"{cls.why}: it can show {cls.widest:g} degrees at most, DOME_FOV is {fov:g}")
+        return cls(fov)
 
     @property
     def uniform(self) -> tuple[float, ...]:
-        """c1, .., c5."""
-        return self.coefficients
+        """(end, slope there, scale)."""
+        return *self._edge, self._scale
 
-    def radius(self, phi: Floats) -> Floats:
-        """phi: (...) radians -> (...) radius."""
-        return np.polyval((*self.coefficients[::-1], 0.0), np.asarray(phi, float))
-
-    def angle(self, radius: Floats) -> Floats:
-        """radius: (...) -> (...) radians, by interpolation refined with Newton's steps."""
-        radius = np.asarray(radius, float)
-        phi = np.linspace(0.0, np.radians(self.fov / 2), 2049)
-        found = np.interp(radius, self.radius(phi), phi, right=np.nan)
-        slope = np.polyder((*self.coefficients[::-1], 0.0))
-        for _ in range(3):
-            found = found - (self.radius(found) - radius) / np.polyval(slope, found)
-        return found
+    @property
+    @abstractmethod
+    def _scale(self) -> float:
+        """1 / the function at half the field of view."""
 
 
-def lens_of(model: str, coefficients: tuple[float, ...], fov: float) -> Lens:
-    """The lens that the options name; fov in degrees."""
-    if model == "polynomial":
-        c1, c2, c3, c4, c5 = (*coefficients, 0.0, 0.0, 0.0, 0.0, 0.0)[:5]
-        return Polynomial((c1, c2, c3, c4, c5), fov)
-    return Equidistant(fov)
+@dataclass(frozen=True)
+class Equisolid(_Formula):
+    """radius = sin(phi / 2) / sin(fov / 4): equal solid angles have equal areas."""
+
+    fov: float
+    name: ClassVar[str] = "equisolid"
+    widest: ClassVar[float] = 360.0
+    why: ClassVar[str] = "an equisolid lens rises to straight behind"
+
+    @property
+    def _scale(self) -> float:
+        return 1.0 / math.sin(self.end / 2)
+
+    def _radius(self, phi: Floats) -> Floats:
+        return self._scale * np.sin(phi / 2)
+
+    def _slope(self, phi: Floats) -> Floats:
+        return self._scale / 2 * np.cos(phi / 2)
+
+    def _angle(self, radius: Floats) -> Floats:
+        return 2 * np.arcsin(np.minimum(radius / self._scale, 1.0))
+
+
+@dataclass(frozen=True)
+class Stereographic(_Formula):
+    """radius = tan(phi / 2) / tan(fov / 4): circles on the dome are circles on the disc."""
+
+    fov: float
+    name: ClassVar[str] = "stereographic"
+    widest: ClassVar[float] = 350.0
+    why: ClassVar[str] = "a stereographic lens puts what is straight behind infinitely far out"
+
+    @property
+    def _scale(self) -> float:
+        return 1.0 / math.tan(self.end / 2)
+
+    def _radius(self, phi: Floats) -> Floats:
+        return self._scale * np.tan(phi / 2)
+
+    def _slope(self, phi: Floats) -> Floats:
+        return self._scale / 2 / np.cos(phi / 2) ** 2
+
+    def _angle(self, radius: Floats) -> Floats:
+        return 2 * np.arctan(radius / self._scale)
+
+
+@dataclass(frozen=True)
+class Orthographic(_Formula):
+    """radius = sin(phi) / sin(fov / 2): the dome as seen from far below."""
+
+    fov: float
+    name: ClassVar[str] = "orthographic"
+    widest: ClassVar[float] = 180.0
+    why: ClassVar[str] = "an orthographic lens folds back beyond 90 degrees from its axis"
+
+    @property
+    def _scale(self) -> float:
+        return 1.0 / math.sin(self.end)
+
+    def _radius(self, phi: Floats) -> Floats:
+        return self._scale * np.sin(phi)
+
+    def _slope(self, phi: Floats) -> Floats:
+        return self._scale * np.cos(phi)
+
+    def _angle(self, radius: Floats) -> Floats:
+        return np.arcsin(np.minimum(radius / self._scale, 1.0))
+
+
+def lens_of(name: str, numbers: Numbers, fov: float) -> Lens:
+    """The lens that the options name; fov in degrees.
+
+    Raises LensError where there is none such.
+    """
+    model: type[Lens] = pkgutil.resolve_name(f"domeshim.lens.{entry_of(name).model}")
+    return model.of(numbers, fov)
 
 
 def rim_radius(lens: Lens, fov: float) -> float:
     """Where the picture ends on the disc: half the field of view, at most the inscribed circle."""
-    return min(1.0, float(lens.radius(np.radians(fov / 2))))
+    return min(1.0, float(lens.radius(np.array(np.radians(fov / 2)))))

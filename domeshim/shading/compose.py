@@ -101,9 +101,9 @@ def _position(draft: Draft, recipe: Recipe) -> None:
     mapping = recipe.mapping
     draft.need(f"place/{mapping.place}")
     draft.add("vec4 place = placed(eye);")
-    if mapping.tilted:
-        draft.need("place/tilt")
-        draft.add("place = tilted(place);")
+    if mapping.aim != "straight":
+        draft.need(f"aim/{mapping.aim}")
+        draft.add("place = aimed(place);")
     draft.need(f"lens/{mapping.lens}")
     if mapping.method == "paper":
         draft.need("bend/paper")

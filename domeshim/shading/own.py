@@ -41,15 +41,15 @@ void domeEmit() {
 }
 #define EmitVertex domeEmit
 """
-_NAMES = re.compile(r"\b(bent|lensRadius|tilted|inFront|insideViewport)\b")
+_NAMES = re.compile(r"\b(bent|lensRadius|aimed|inFront|insideViewport)\b")
 
 
 @dataclass(frozen=True)
 class Landing:
     """How a session's dome takes a position: what is the same for all of a program's draws."""
 
-    lens: Literal["equidistant", "polynomial"] = "equidistant"
-    tilted: bool = False
+    lens: str = "equidistant"
+    aim: Literal["straight", "turned", "seated"] = "straight"
     wide: bool = False
     """A field of view over 180 degrees."""
 
@@ -111,8 +111,8 @@ def _joined(version: str, text: str, stage: Stage, landing: Landing, *, cut: boo
 def _before(stage: Stage, landing: Landing, *, cut: bool, planes: Planes) -> str:
     """What stands before the program's first declaration: our functions, and its main()'s new name."""
     names = ["own/land", f"lens/{landing.lens}", "bend/vertex", "bend/panel"]
-    if landing.tilted:
-        names.append("place/tilt")
+    if landing.aim != "straight":
+        names.append(f"aim/{landing.aim}")
     if cut:
         names += ["clip/cone" if landing.wide else "clip/behind", "clip/panel"]
     if planes == "clip vertex":
@@ -131,6 +131,7 @@ def _before(stage: Stage, landing: Landing, *, cut: bool, planes: Planes) -> str
 def _land(landing: Landing, *, cut: bool, planes: Planes) -> str:
     """The function that takes gl_Position onto the dome."""
     lines = ["vec4 clip = gl_Position;"]
+    aimed = [] if landing.aim == "straight" else ["    place = domeAimed(place);"]
     if planes == "clip vertex":
         lines.append("vec3 planes = domePlanesOf(domeClipVertex);")
         lines += [f"gl_ClipDistance[{i}] = planes.{axis};" for i, axis in enumerate("xyz")]
@@ -141,10 +142,10 @@ def _land(landing: Landing, *, cut: bool, planes: Planes) -> str:
         edges = zip(EDGE_DISTANCES, "xyzw", strict=True)
         lines += [f"gl_ClipDistance[{i}] = inside.{axis};" for i, axis in edges]
     lines += ["if (domeMode > 1.5) {", "    vec4 place = domeFromClip * clip;"]
-    lines += ["    place = domeTilted(place);"] if landing.tilted else []
+    lines += aimed
     lines.append("    gl_Position = domeBent(place, clip.z / clip.w);")
     lines += ["} else if (domeMode > 0.5) {", "    vec4 place = domePlace(clip);"]
-    lines += ["    place = domeTilted(place);"] if landing.tilted else []
+    lines += aimed
     lines.append("    gl_Position = domeBent(place);")
     if cut:
         lines.append(f"    gl_ClipDistance[{RIM_DISTANCE}] = domeInFront(place);")

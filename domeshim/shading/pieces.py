@@ -42,16 +42,18 @@ def unbent_vertex(recipe: Recipe) -> Draft:
 
 
 def add_place(draft: Draft, recipe: Recipe) -> None:
-    """What tells where a travelling position lies, before the tilt, and whether the dome reaches it."""
+    """What tells where a travelling position lies in eye space, and whether the dome reaches it."""
     if recipe.mapping.place == "panel":
         draft.need("tessellate/place_panel")
-        draft.need("tessellate/reach_panel")
+        draft.need("tessellate/reach_all")
         return
     draft.need("tessellate/place_dome")
-    if recipe.mapping.tilted:
-        draft.need("place/tilt")
+    aim = recipe.mapping.aim
+    if aim != "straight":
+        draft.need(f"aim/{aim}")
     draft.need("clip/cone" if recipe.mapping.wide else "clip/behind")
-    draft.need("tessellate/reach_tilted" if recipe.mapping.tilted else "tessellate/reach_dome")
+    # From a seat, what the lens leaves out need not be convex: no corner tells of a whole patch there.
+    draft.need(f"tessellate/reach_{'all' if aim == 'seated' else 'turned' if aim == 'turned' else 'dome'}")
 
 
 def add_edges(draft: Draft, recipe: Recipe) -> None:
@@ -87,20 +89,22 @@ def add_vertex(draft: Draft, recipe: Recipe, shares: str) -> None:
 def _add_position(draft: Draft, recipe: Recipe) -> None:
     mapping, distances = recipe.mapping, recipe.clip_distances
     draft.need(f"lens/{mapping.lens}")
-    if mapping.tilted:
-        draft.need("place/tilt")
-    bent = "tilted(place)" if mapping.tilted else "place"
+    ray = "place"
+    if mapping.aim != "straight":
+        draft.need(f"aim/{mapping.aim}")
+        draft.add("vec4 ray = aimed(place);")
+        ray = "ray"
     if mapping.place == "panel":
         draft.need("bend/panel")
         draft.need("clip/panel")
         draft.add(
-            f"gl_Position = bent({bent}, position.z / position.w);", "vec4 inside = insideViewport(position);"
+            f"gl_Position = bent({ray}, position.z / position.w);", "vec4 inside = insideViewport(position);"
         )
         for distance, axis in zip(distances, "xyzw", strict=False):
             draft.add(f"gl_ClipDistance[{distance}] = inside.{axis};")
     else:
         draft.need("bend/vertex")
-        draft.add(f"gl_Position = bent({bent});", f"gl_ClipDistance[{distances[0]}] = reach(place);")
+        draft.add(f"gl_Position = bent({ray});", f"gl_ClipDistance[{distances[0]}] = inFront({ray});")
 
 
 def patch_of(recipe: Recipe) -> Patch:

@@ -30,7 +30,8 @@ class Uniforms:
     def set(self, uniform: str, values: Sequence[float]) -> None:
         """Give a uniform its value; the program must be bound. Unchanged values are not sent again.
 
-        values: 1 to 4 floats for a float or vector; 5 for a float[5]; 16, column-major, for a mat4.
+        values: 1 to 4 floats for a float or vector; 9 or 16, column-major, for a mat3 or mat4; other numbers
+        up to 16 for an array of float; more for one of vec4.
         """
         wanted = tuple(values)
         if self._sent.get(uniform) == wanted:
@@ -49,8 +50,12 @@ class Uniforms:
                 self._driver.glUniform3fv(location, 1, data)
             case 4:
                 self._driver.glUniform4fv(location, 1, data)
+            case 9:
+                self._driver.glUniformMatrix3fv(location, 1, 0, data)
             case 16:
                 self._driver.glUniformMatrix4fv(location, 1, 0, data)
+            case count if count > 16:
+                self._driver.glUniform4fv(location, count // 4, data)
             case count:
                 self._driver.glUniform1fv(location, count, data)
 

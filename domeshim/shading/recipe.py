@@ -102,9 +102,11 @@ class Mapping:
     """How the scene gets onto the disc."""
 
     method: Literal["vertex", "paper"] = "vertex"
-    lens: Literal["equidistant", "polynomial"] = "equidistant"
+    lens: str = "equidistant"
+    """The snippet in glsl/lens."""
     place: Literal["modelview", "view", "panel"] = "modelview"
-    tilted: bool = False
+    aim: Literal["straight", "turned", "seated"] = "straight"
+    """The snippet in glsl/aim, if any: how the dome stands to the program's view."""
     wide: bool = False
     """A field of view over 180 degrees: what is left out is a cone, not a half space."""
     sides: tuple[int, ...] = ()

@@ -17,6 +17,7 @@ import numpy as np
 from domeshim.draw.extent import Extent
 from domeshim.driver import Driver
 from domeshim.lens.models import Lens, lens_of, rim_radius
+from domeshim.lens.orientation import Orientation
 from domeshim.options import Options
 from domeshim.shading.recipe import Patch, Scene
 from domeshim.state.own_programs import OwnPrograms
@@ -57,13 +58,14 @@ class DomeContext:
         self._frame = frame
         self.lens: Lens = lens_of(*options.lens, options.fov)
         self.rim = rim_radius(self.lens, options.fov)
+        self.orientation = Orientation.of(options)
         self.placer = Placer(options)
         self.scene = SceneState(driver)
-        self.own = OwnPrograms(driver, options, self.lens)
+        self.own = OwnPrograms(driver, options, self.lens, self.orientation)
         self.compiling = False
         """A display list is being compiled: nothing of ours may get into it."""
         self._options = options
-        self._wardrobe = Wardrobe(driver, options, self.lens)
+        self._wardrobe = Wardrobe(driver, options, self.lens, self.orientation)
         self.pixels = WindowPixels(self, options)
         self._bypasses: set[str] = set()
         self._said: set[str] = set()
@@ -258,7 +260,7 @@ class DomeContext:
     @cached_property
     def tolerance(self) -> Tolerance:
         """What the tolerance asks of the lens in this frame."""
-        return Tolerance(self._options, self.lens, self._frame, self.method)
+        return Tolerance(self._options, self.lens, self.orientation, self._frame, self.method)
 
     @property
     def frame(self) -> Frame:

@@ -9,6 +9,7 @@ import numpy as np
 
 from domeshim.driver import Driver
 from domeshim.lens.models import Lens
+from domeshim.lens.orientation import Orientation
 from domeshim.options import Options
 from domeshim.shading.exchange import OwnProgram, link
 from domeshim.shading.fragments import FragmentStage
@@ -24,12 +25,12 @@ _CURRENT_PROGRAM = 0x8B8D
 class OwnPrograms:
     """Links, remembers and dresses the program's own GLSL programs."""
 
-    def __init__(self, driver: Driver, options: Options, lens: Lens) -> None:
+    def __init__(self, driver: Driver, options: Options, lens: Lens, orientation: Orientation) -> None:
         self._driver = driver
         self._lens = lens
-        self._fov, tilt = np.radians(options.fov), np.radians(options.tilt)
-        self._tilt = (float(np.cos(tilt)), float(np.sin(tilt)))
-        self._landing = Landing(lens.name, tilted=options.tilt != 0, wide=options.fov > 180)
+        self._orientation = orientation
+        self._fov = np.radians(options.fov)
+        self._landing = Landing(lens.name, orientation.aim, wide=options.fov > 180)
         self._programs: dict[int, OwnProgram] = {}
         self._stages: dict[int, FragmentStage] = {}
         self._last: tuple[Placement, Matrix, tuple[float, ...]] | None = None
@@ -121,8 +122,8 @@ class OwnPrograms:
         own.set("domeFromClip", placement.view if panel else self._from_clip(placement, projection))
         own.set("domeLens", self._lens.uniform)
         own.set("domeDepth", placement.depth)
-        if self._landing.tilted:
-            own.set("domeTilt", self._tilt)
+        for uniform, values in self._orientation.uniforms:
+            own.set(uniform, values)
         if self._landing.wide:
             own.set("domeRim", (-float(np.cos(self._fov / 2)),))
         own.set("domeEdges", edges.bounds)

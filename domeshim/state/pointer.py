@@ -1,8 +1,8 @@
 """Where a place of the real frame is in the window that the program believes in, and back.
 
-The lens and the tilt give the direction that a place of the dome stands for; the program's main perspective
-gives the place in its window where the monitor would show that direction. Places are (..., 2) float64 in
-pixels, continuous (a pixel's middle is at a half), the origin at the bottom left as in glViewport.
+The lens and the dome's orientation give the direction that a place of the dome stands for; the program's main
+perspective gives the place in its window where the monitor would show that direction. Places are (..., 2)
+float64 in pixels, continuous (a pixel's middle is at a half), the origin at the bottom left as in glViewport.
 """
 
 from __future__ import annotations
@@ -13,7 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from domeshim.lens.models import Floats, Lens
-from domeshim.lens.projection import direction_of, disc_of, tilted
+from domeshim.lens.orientation import STRAIGHT, Orientation
+from domeshim.lens.projection import direction_of, disc_of
 from domeshim.state.perspective import depth_range
 from domeshim.state.placement import View
 from domeshim.window.frame import Frame
@@ -34,8 +35,7 @@ class Sight:
     lens: Lens
     rim: float
     """Where the picture ends on the disc, 1 the inscribed circle."""
-    tilt: float = 0.0
-    """Degrees."""
+    orientation: Orientation = STRAIGHT
     paper: bool = False
     """Drawn by the paper's own method: its depth is another."""
 
@@ -51,7 +51,7 @@ class Sight:
 
     def to_frame(self, places: Floats) -> Floats:
         """Places of the program's window -> of the frame, also beyond the disc's rim."""
-        disc = disc_of(self.directions(places), self.lens, self.tilt)
+        disc = disc_of(self.directions(places), self.lens, self.orientation)
         x, y, side, _ = self.frame.square
         found: Floats = (disc + 1) * (side / 2) + (x, y)
         return found
@@ -71,7 +71,7 @@ class Sight:
         radius = np.hypot(disc[..., 0], disc[..., 1])
         within = self.rim * (1 - 1e-9)
         disc = disc * (within / np.maximum(radius, within))[..., None]
-        return direction_of(disc, self.lens, self.tilt)
+        return direction_of(disc, self.lens, self.orientation)
 
     def within(self, places: NDArray[np.floating]) -> NDArray[np.bool_]:
         """Which places of the frame lie on the dome's picture: (...)."""
@@ -87,7 +87,7 @@ class Sight:
         """
         p = self.view.camera
         if self.paper:
-            distance = _PAPER_FAR * depth / np.maximum(-tilted(directions, self.tilt)[..., 2], 1e-9)
+            distance = _PAPER_FAR * depth / np.maximum(-self.orientation.aimed(directions)[..., 2], 1e-9)
         else:
             a, b = depth_range(p).uniform
             distance = b / (2 * np.asarray(depth, float) - 1 - a)

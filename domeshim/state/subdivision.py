@@ -9,6 +9,7 @@ from typing import Literal, NamedTuple
 from domeshim.driver import Driver
 from domeshim.lens.detail import pieces_per_radian
 from domeshim.lens.models import Lens
+from domeshim.lens.orientation import Orientation
 from domeshim.options import Options
 from domeshim.shading.geometry import most_pieces
 from domeshim.shading.recipe import Scene
@@ -59,10 +60,13 @@ def method_of(wanted: str, driver: Driver, say: Callable[[str], None]) -> Method
 class Tolerance:
     """What DOME_TOLERANCE asks of a lens in a frame."""
 
-    def __init__(self, options: Options, lens: Lens, frame: Frame, method: Method | None) -> None:
+    def __init__(
+        self, options: Options, lens: Lens, orientation: Orientation, frame: Frame, method: Method | None
+    ) -> None:
         self._method = method
         self._always = options.method in ("tessellate", "geometry")
-        self.detail = pieces_per_radian(lens, options.fov, frame.square[2] / 2, options.tolerance)
+        radius = frame.square[2] / 2
+        self.detail = pieces_per_radian(lens, options.fov, radius, options.tolerance, orientation)
         """How many pieces an arc of one radian needs."""
         whole = 0.0 if self._always else min(1 / self.detail, math.pi / 2)
         self.far = 0.5 / math.tan(whole / 2) if whole else math.inf

@@ -9,6 +9,7 @@ import numpy as np
 from domeshim.driver import Driver
 from domeshim.lens.detail import farthest
 from domeshim.lens.models import Lens
+from domeshim.lens.orientation import Orientation
 from domeshim.options import Options
 from domeshim.shading.compose import compose
 from domeshim.shading.fragments import FragmentStage
@@ -53,10 +54,11 @@ class Outfit:
 class Wardrobe:
     """Makes and remembers programs."""
 
-    def __init__(self, driver: Driver, options: Options, lens: Lens) -> None:
+    def __init__(self, driver: Driver, options: Options, lens: Lens, orientation: Orientation) -> None:
         self._driver = driver
         self._options = options
         self._lens = lens
+        self._orientation = orientation
         self._programs: dict[Recipe, Program] = {}
         self._outfits: dict[tuple[object, ...], Outfit] = {}
         self._sent: dict[int, tuple[Placement, Edges, float]] = {}
@@ -126,7 +128,7 @@ class Wardrobe:
             method="paper" if paper else "vertex",
             lens=self._lens.name,
             place=place,
-            tilted=self._options.tilt != 0,
+            aim=self._orientation.aim,
             wide=self._options.fov > 180,
             sides=() if place == "panel" else look.edges.inner,
             raster=None if not look.raster else "nowhere" if hidden else "point",
@@ -159,10 +161,7 @@ class Wardrobe:
             uniforms.append(("domeDepth", look.placement.depth))
             if mapping.wide:
                 uniforms.append(("domeRim", (-float(np.cos(farthest(self._options.fov, detail))),)))
-        if mapping.tilted:
-            tilt = np.radians(self._options.tilt)
-            uniforms.append(("domeTilt", (float(np.cos(tilt)), float(np.sin(tilt)))))
-        return uniforms
+        return [*uniforms, *self._orientation.uniforms]
 
 
 def _enables(recipe: Recipe) -> tuple[int, ...]:

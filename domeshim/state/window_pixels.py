@@ -41,7 +41,7 @@ class WindowPixels:
             return (*frame.flat((round(x), round(y), 0, 0))[:2], depth)
         main = context.placer.through_window(frame)
         direction = main.direction(x, y)
-        disc = disc_of(direction, context.lens, self._options.tilt)
+        disc = disc_of(direction, context.lens, context.orientation)
         x0, y0, side, _ = frame.square
         if placement.place != "panel":
             a, b = placement.depth
@@ -54,7 +54,7 @@ class WindowPixels:
         context = self._context
         view = context.placer.through_window(context.frame)
         paper = self._options.method == "paper"
-        return Sight(view, context.frame, context.lens, context.rim, self._options.tilt, paper)
+        return Sight(view, context.frame, context.lens, context.rim, context.orientation, paper)
 
     # Clearing; the context must be undressed.
 
@@ -91,4 +91,4 @@ class WindowPixels:
     @cached_property
     def _part_clear(self) -> PartClear:
         context = self._context
-        return PartClear(context.driver, context.lens, self._options.fov, self._options.tilt)
+        return PartClear(context.driver, context.lens, self._options.fov, context.orientation)

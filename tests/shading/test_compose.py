@@ -6,7 +6,7 @@ import pytest
 
 from domeshim.shading.compose import VERSION, compose
 from domeshim.shading.recipe import ColorMaterial, Light, Lighting, Mapping, Recipe, Scene, Texture
-from domeshim.shading.snippets import snippet
+from domeshim.shading.snippets import glsl_folder, snippet
 
 BARE = compose(Recipe()).text
 
@@ -86,24 +86,27 @@ def test_own_clip_distances_keep_out_of_the_programs():
 
 
 def test_each_line_is_traced_to_its_snippet():
-    source = compose(Recipe(Mapping(tilted=True), Scene(fog="distance", textures=(Texture(0),))))
+    source = compose(Recipe(Mapping(aim="turned"), Scene(fog="distance", textures=(Texture(0),))))
     lines = source.text.splitlines()
-    for name in ("place/tilt", "lens/equidistant", "bend/vertex", "fog/distance"):
+    for name in ("aim/turned", "lens/equidistant", "bend/vertex", "fog/distance"):
         for number, text in enumerate(snippet(name).splitlines(), start=1):
             assert f"{name}.glsl:{number}" in [
                 source.place(i + 1) for i, line in enumerate(lines) if line == text
             ]
 
 
+LENSES = sorted(path.stem for path in (glsl_folder() / "lens").glob("*.glsl"))
+
+
 def every_mapping():
-    for method, lens, place, tilted, wide in itertools.product(
+    yield from (Mapping(lens=lens) for lens in LENSES)
+    for method, place, aim, wide in itertools.product(
         ("vertex", "paper"),
-        ("equidistant", "polynomial"),
         ("modelview", "view", "panel"),
-        (False, True),
+        ("straight", "turned", "seated"),
         (False, True),
     ):
-        yield Mapping(method, lens, place, tilted, wide)
+        yield Mapping(method, place=place, aim=aim, wide=wide)
 
 
 def every_scene():

@@ -8,6 +8,7 @@ import pytest
 
 from domeshim.shading import exchange
 from domeshim.shading.own import Landing, has_main, rewritten, uses_projection
+from tests.shading.test_compose import LENSES
 
 PLAIN = "void main() { gl_Position = ftransform(); }"
 VERSIONED = """\
@@ -49,10 +50,8 @@ void main() {
 }
 """
 LANDINGS = [
-    Landing(lens, tilted, wide)
-    for lens in ("equidistant", "polynomial")
-    for tilted in (False, True)
-    for wide in (False, True)
+    *(Landing(lens) for lens in LENSES),
+    *(Landing(aim=aim, wide=wide) for aim in ("straight", "turned", "seated") for wide in (False, True)),
 ]
 
 

@@ -12,7 +12,7 @@ from tests.shading.test_compose import every_mapping, every_scene
 
 def test_every_mapping_and_every_scene_compiles(driver):
     recipes = {Recipe(m) for m in every_mapping()} | {Recipe(Mapping(), s) for s in every_scene()}
-    recipes |= {Recipe(Mapping(place="panel", tilted=True), s) for s in every_scene()}
+    recipes |= {Recipe(Mapping(place="panel", aim="turned"), s) for s in every_scene()}
     for recipe in recipes:
         program = Program(driver, compose(recipe))
         driver.glDeleteProgram(program.name)

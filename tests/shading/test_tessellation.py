@@ -16,7 +16,7 @@ def test_every_mapping_and_every_scene_compiles(driver, method, kind, split):
     patch = Patch(kind, method, split=split)
     recipes = {Recipe(m, patch=patch) for m in every_mapping() if m.method == "vertex"}
     recipes |= {Recipe(Mapping(place="panel"), s, patch, flat=True) for s in every_scene()}
-    recipes |= {Recipe(Mapping(tilted=True), s, patch) for s in every_scene()}
+    recipes |= {Recipe(Mapping(aim="turned"), s, patch) for s in every_scene()}
     for recipe in recipes:
         stages = compose_geometry(recipe) if method == "geometry" else compose_tessellated(recipe)
         program = Program(
@@ -41,7 +41,7 @@ def evaluation(scene=BARE, **kwargs):
 def test_bare_scene_carries_a_colour_and_nothing_else():
     text = evaluation()
     assert "gl_FrontColor" in text
-    for word in ("gl_TexCoord", "Fog", "gl_BackColor", "Secondary", "domeTilt"):
+    for word in ("gl_TexCoord", "Fog", "gl_BackColor", "Secondary", "domeTurn"):
         assert word not in text
 
 

@@ -1,4 +1,4 @@
-"""The shaders' lens, tilt and bend against their numpy twins, at random and extreme directions."""
+"""The shaders' lens, aim and bend against their numpy twins, at random and extreme directions."""
 
 import ctypes
 
@@ -6,16 +6,25 @@ import numpy as np
 import pytest
 from OpenGL import GL
 
-from domeshim.lens.models import Equidistant, Polynomial
+from domeshim.lens.models import Equidistant
+from domeshim.lens.orientation import STRAIGHT, Orientation
 from domeshim.lens.projection import disc_of
 from domeshim.shading.compose import compose
+from domeshim.shading.program import Uniforms
 from domeshim.shading.recipe import Mapping, Recipe
+from tests.lens.lenses import every_lens
 
 RNG = np.random.default_rng(2006)
-PAPER_LIKE = Polynomial((0.62, 0.03, -0.012, 0.004, -0.0006), 180)
+ORIENTATIONS = [
+    STRAIGHT,
+    Orientation(tilt=30),
+    Orientation(tilt=-75, heading=40, roll=-100),
+    Orientation(seat=(0.3, -0.4, 0.2)),
+    Orientation(tilt=60, roll=15, seat=(0.0, 0.6, 0.1), projector=(-0.2, 0.1, 0.5)),
+]
 
 
-def positions_on_gpu(recipe, vertices, uniforms):
+def positions_on_gpu(driver, recipe, vertices, uniforms):
     """gl_Position of each vertex, caught by transform feedback. vertices: (n, 4) float32 -> (n, 4)."""
     program, shader = GL.glCreateProgram(), GL.glCreateShader(GL.GL_VERTEX_SHADER)
     GL.glShaderSource(shader, compose(recipe).text)
@@ -30,11 +39,9 @@ def positions_on_gpu(recipe, vertices, uniforms):
     )
     GL.glLinkProgram(program)
     GL.glUseProgram(program)
+    sender = Uniforms(driver, program)
     for uniform, values in uniforms.items():
-        where = GL.glGetUniformLocation(program, uniform)
-        {1: GL.glUniform1fv, 2: lambda w, n, v: GL.glUniform2fv(w, 1, v), 5: GL.glUniform1fv}[len(values)](
-            where, len(values), values
-        )
+        sender.set(uniform, values)
     buffer = GL.glGenBuffers(1)
     GL.glBindBuffer(GL.GL_TRANSFORM_FEEDBACK_BUFFER, buffer)
     GL.glBufferData(GL.GL_TRANSFORM_FEEDBACK_BUFFER, vertices.nbytes, None, GL.GL_STREAM_READ)
@@ -54,9 +61,10 @@ def positions_on_gpu(recipe, vertices, uniforms):
     return np.frombuffer(bytes(data), np.float32).reshape(-1, 4)
 
 
-def directions():
-    """(n, 3): 10,000 random ones, and those on and near the axis, the rim and the coordinate planes."""
-    random = RNG.normal(size=(10_000, 3))
+def directions(count, reach=np.pi):
+    """(n, 3): random ones within reach of the axis, and those on and near axis, rim and planes."""
+    phi, theta = RNG.uniform(0, reach, count), RNG.uniform(-np.pi, np.pi, count)
+    random = np.stack([np.sin(phi) * np.cos(theta), np.sin(phi) * np.sin(theta), -np.cos(phi)], -1)
     tiny = 10.0 ** -np.arange(1, 12)
     near_axis = np.stack([tiny, -tiny, -np.ones_like(tiny)], -1)
     near_rim = np.stack([np.ones_like(tiny), tiny, -tiny], -1)
@@ -64,24 +72,32 @@ def directions():
     return np.concatenate([random, near_axis, near_rim, planes])
 
 
-@pytest.mark.parametrize("tilt", [0.0, 30.0, -75.0])
-@pytest.mark.parametrize(
-    "lens", [Equidistant(180), Equidistant(220), PAPER_LIKE], ids=["180", "220", "polynomial"]
-)
-@pytest.mark.parametrize("scale", [1.0, 1e-18, 1e18])
-def test_disc_position_agrees_with_numpy(driver, lens, tilt, scale):
-    d = (directions() * scale).astype(np.float32)
-    turn = np.radians(tilt)
-    uniforms = {"domeLens": lens.uniform, "domeDepth": (1.0, 0.0)}
-    if tilt:
-        uniforms["domeTilt"] = (np.cos(turn), np.sin(turn))
-    recipe = Recipe(Mapping(lens=lens.name, tilted=tilt != 0))
-    got = positions_on_gpu(recipe, np.column_stack([d, np.ones(len(d), np.float32)]), uniforms)
-    want = disc_of(d.astype(float), lens, tilt)
-    seen = np.hypot(*want.T) < 2 * 0.99  # straight behind there is no direction
-    assert np.abs(got[seen, :2] / got[seen, 3:] - want[seen]).max() < 1e-5
+def check(driver, lens, orientation, d):
+    """The shader and numpy agree about directions, (n, 3), to 1e-5 of the disc's radius."""
+    d = d.astype(np.float32)
+    uniforms = {"domeLens": lens.uniform, "domeDepth": (1.0, 0.0), **dict(orientation.uniforms)}
+    recipe = Recipe(Mapping(lens=lens.name, aim=orientation.aim))
+    got = positions_on_gpu(driver, recipe, np.column_stack([d, np.ones(len(d), np.float32)]), uniforms)
+    want = disc_of(d.astype(float), lens, orientation)
+    rays = orientation.aimed(d.astype(float))
+    phi = np.arctan2(np.hypot(rays[:, 0], rays[:, 1]), -rays[:, 2])
+    seen = phi <= min(np.radians(lens.fov) / 2, np.pi * 0.999)  # straight behind there is no direction
+    assert seen.sum() > len(d) / 3
+    error = np.hypot(*(got[seen, :2] / got[seen, 3:] - want[seen]).T)
+    assert (error / np.maximum(1, np.hypot(*want[seen].T))).max() < 1e-5
     distance = np.linalg.norm(d.astype(float), axis=1)
     assert np.abs(got[:, 3] / distance - 1).max() < 1e-5
+
+
+@pytest.mark.parametrize("lens", every_lens(), ids=str)
+def test_every_lens_agrees_with_numpy(driver, lens):
+    check(driver, lens, STRAIGHT, directions(100_000, np.radians(lens.fov) / 2))
+
+
+@pytest.mark.parametrize("orientation", ORIENTATIONS, ids=str)
+@pytest.mark.parametrize("scale", [1.0, 1e-18, 1e18])
+def test_every_orientation_agrees_with_numpy(driver, orientation, scale):
+    check(driver, Equidistant(220), orientation, directions(10_000) * scale)
 
 
 def test_negative_w_flips_the_direction_and_zero_w_is_one(driver):
@@ -89,14 +105,16 @@ def test_negative_w_flips_the_direction_and_zero_w_is_one(driver):
     uniforms = {"domeLens": Equidistant(180).uniform, "domeDepth": (1.0, 0.0)}
     for w, sign in ((-2.0, -1), (0.0, 1), (2.0, 1)):
         vertex = np.column_stack([d * sign, [w]]).astype(np.float32)
-        got = positions_on_gpu(Recipe(), vertex, uniforms)[0]
+        got = positions_on_gpu(driver, Recipe(), vertex, uniforms)[0]
         assert got[:2] / got[3] == pytest.approx(disc_of(d, Equidistant(180))[0], abs=1e-6)
 
 
 def test_paper_is_as_published(driver):
     """Disc at the vertex's own z, seen through glOrtho(-1, 1, -1, 1, 0, 1000); w stays 1."""
     vertices = np.array([[1, 2, -3, 1], [0, 0, -5, 1], [4, 0, 2, 1]], np.float32)
-    got = positions_on_gpu(Recipe(Mapping(method="paper")), vertices, {"domeLens": Equidistant(180).uniform})
+    got = positions_on_gpu(
+        driver, Recipe(Mapping(method="paper")), vertices, {"domeLens": Equidistant(180).uniform}
+    )
     assert got[:, 3] == pytest.approx([1, 1, 1])
     assert got[:, :2] == pytest.approx(disc_of(vertices[:, :3].astype(float), Equidistant(180)), abs=1e-5)
     assert got[:, 2] == pytest.approx(-vertices[:, 2] / 500 - 1, abs=1e-6)

@@ -6,6 +6,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from domeshim.lens.models import lens_of, rim_radius
+from domeshim.lens.orientation import Orientation
 from domeshim.lens.projection import disc_of
 from domeshim.options import Options
 from domeshim.state.perspective import depth_range, frustum, perspective
@@ -30,7 +31,7 @@ def sights(draw):
         placer.perspective_set(p, on_modelview=False)
         placer.place(p, None, (0, 0, *size), frame)
     tilt = draw(st.floats(-90, 90))
-    return Sight(placer.through_window(frame), frame, lens, rim_radius(lens, fov), tilt)
+    return Sight(placer.through_window(frame), frame, lens, rim_radius(lens, fov), Orientation(tilt))
 
 
 def sight(*, fov=180.0, tilt=0.0, size=(800, 600), frame=None, lens=("equidistant", ()), p=None, **options):
@@ -40,7 +41,7 @@ def sight(*, fov=180.0, tilt=0.0, size=(800, 600), frame=None, lens=("equidistan
     placer.perspective_set(p, on_modelview=False)
     placer.place(p, None, (0, 0, *size), frame)
     optics = lens_of(*lens, fov)
-    return Sight(placer.through_window(frame), frame, optics, rim_radius(optics, fov), tilt)
+    return Sight(placer.through_window(frame), frame, optics, rim_radius(optics, fov), Orientation(tilt))
 
 
 @settings(max_examples=300, deadline=None)
@@ -77,7 +78,7 @@ def test_a_point_in_space_is_pointed_at_where_it_lands(s, x, y, distance):
     """The dome's picture of a point and gluProject's meet, by the matrices alone."""
     eye = np.array([x, y, -1.0]) * distance
     x0, y0, side, _ = s.frame.square
-    landed = (disc_of(eye, s.lens, s.tilt) + 1) * side / 2 + (x0, y0)
+    landed = (disc_of(eye, s.lens, s.orientation) + 1) * side / 2 + (x0, y0)
     assume(s.within(landed * (1 + 1e-9)))
     clip = s.view.camera @ [*eye, 1.0]
     vx, vy, w, h = s.view.viewport
@@ -100,7 +101,7 @@ def test_a_depth_of_the_dome_becomes_the_monitors(s, distance, x, y):
 
 def test_the_papers_depth_becomes_the_monitors():
     s = sight(tilt=20)
-    s = Sight(s.view, s.frame, s.lens, s.rim, s.tilt, paper=True)
+    s = Sight(s.view, s.frame, s.lens, s.rim, s.orientation, paper=True)
     eye = np.array([1.0, 2.0, -7.0])
     tilt = np.radians(20)
     z = np.cos(tilt) * eye[2] - np.sin(tilt) * eye[1]

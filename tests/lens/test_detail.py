@@ -1,0 +1,64 @@
+"""The promise of the tolerance: pieces as long as the curvature allows keep within it, on every lens."""
+
+import numpy as np
+import pytest
+
+from domeshim.lens.detail import curvature, pieces_per_radian
+from domeshim.lens.models import Equidistant
+from domeshim.lens.orientation import STRAIGHT, Orientation
+from domeshim.lens.projection import disc_of
+from tests.lens.lenses import every_lens
+
+RADIUS, TOLERANCE = 512.0, 0.5
+RNG = np.random.default_rng(8)
+
+
+def arcs(angle, count=4000):
+    """(3, count, 3): the ends and the middle of great circles' arcs of this angle, all over the sphere."""
+    middle = RNG.normal(size=(count, 3))
+    middle /= np.linalg.norm(middle, axis=1, keepdims=True)
+    across = np.cross(middle, RNG.normal(size=(count, 3)))
+    across /= np.linalg.norm(across, axis=1, keepdims=True)
+    half = angle / 2
+    return np.stack([middle * np.cos(half) + side * across * np.sin(half) for side in (-1, 0, 1)])
+
+
+def off_in_pixels(lens, orientation):
+    """How far the middle of each piece is from its chord, for pieces within the field of view."""
+    pieces = pieces_per_radian(lens, lens.fov, RADIUS, TOLERANCE, orientation)
+    directions = arcs(1 / pieces)
+    rays = orientation.aimed(directions)
+    phi = np.arctan2(np.hypot(rays[..., 0], rays[..., 1]), -rays[..., 2])
+    within = (phi <= min(np.radians(lens.fov / 2), 0.9 * np.pi)).all(0)
+    assert within.sum() > 20
+    before, middle, after = disc_of(directions[:, within], lens, orientation)
+    return RADIUS * np.linalg.norm(middle - (before + after) / 2, axis=1)
+
+
+@pytest.mark.parametrize("lens", every_lens(), ids=str)
+def test_pieces_of_the_longest_kind_keep_within_the_tolerance(lens):
+    assert off_in_pixels(lens, STRAIGHT).max() < TOLERANCE * 1.02
+
+
+@pytest.mark.parametrize(
+    "orientation",
+    [
+        Orientation(tilt=50, seat=(0, 0.5, 0)),
+        Orientation(seat=(0.2, -0.3, 0.4), projector=(0, 0.4, 0)),
+        Orientation(heading=20, projector=(0, 0, -0.7)),
+    ],
+    ids=str,
+)
+def test_they_do_so_from_a_seat(orientation):
+    off = off_in_pixels(Equidistant(180), orientation)
+    assert TOLERANCE * 0.2 < off.max() < TOLERANCE * 1.02
+
+
+def test_the_pieces_are_not_shorter_than_they_must_be():
+    assert curvature(Equidistant(180), 180.0) == pytest.approx(1, abs=0.01)
+    assert off_in_pixels(Equidistant(180), STRAIGHT).max() > 0.8 * TOLERANCE
+
+
+def test_turning_the_dome_changes_nothing():
+    lens = Equidistant(220)
+    assert curvature(lens, 220.0, Orientation(40, 50, 60)) == curvature(lens, 220.0)
