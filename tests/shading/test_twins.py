@@ -1,18 +1,15 @@
 """The shaders' lens, aim and bend against their numpy twins, at random and extreme directions."""
 
-import ctypes
-
 import numpy as np
 import pytest
-from OpenGL import GL
 
 from domeshim.lens.models import Equidistant
 from domeshim.lens.orientation import STRAIGHT, Orientation
 from domeshim.lens.projection import disc_of
 from domeshim.shading.compose import compose
-from domeshim.shading.program import Uniforms
 from domeshim.shading.recipe import Mapping, Recipe
 from tests.lens.lenses import every_lens
+from tests.shading.feedback import caught
 
 RNG = np.random.default_rng(2006)
 ORIENTATIONS = [
@@ -25,40 +22,8 @@ ORIENTATIONS = [
 
 
 def positions_on_gpu(driver, recipe, vertices, uniforms):
-    """gl_Position of each vertex, caught by transform feedback. vertices: (n, 4) float32 -> (n, 4)."""
-    program, shader = GL.glCreateProgram(), GL.glCreateShader(GL.GL_VERTEX_SHADER)
-    GL.glShaderSource(shader, compose(recipe).text)
-    GL.glCompileShader(shader)
-    GL.glAttachShader(program, shader)
-    name = ctypes.create_string_buffer(b"gl_Position")
-    GL.glTransformFeedbackVaryings(
-        program,
-        1,
-        (ctypes.POINTER(ctypes.c_char) * 1)(ctypes.cast(name, ctypes.POINTER(ctypes.c_char))),
-        GL.GL_INTERLEAVED_ATTRIBS,
-    )
-    GL.glLinkProgram(program)
-    GL.glUseProgram(program)
-    sender = Uniforms(driver, program)
-    for uniform, values in uniforms.items():
-        sender.set(uniform, values)
-    buffer = GL.glGenBuffers(1)
-    GL.glBindBuffer(GL.GL_TRANSFORM_FEEDBACK_BUFFER, buffer)
-    GL.glBufferData(GL.GL_TRANSFORM_FEEDBACK_BUFFER, vertices.nbytes, None, GL.GL_STREAM_READ)
-    GL.glBindBufferBase(GL.GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer)
-    GL.glEnableClientState(GL.GL_VERTEX_ARRAY)
-    GL.glVertexPointer(4, GL.GL_FLOAT, 0, vertices)
-    GL.glEnable(GL.GL_RASTERIZER_DISCARD)
-    GL.glBeginTransformFeedback(GL.GL_POINTS)
-    GL.glDrawArrays(GL.GL_POINTS, 0, len(vertices))
-    GL.glEndTransformFeedback()
-    GL.glDisable(GL.GL_RASTERIZER_DISCARD)
-    GL.glDisableClientState(GL.GL_VERTEX_ARRAY)
-    data = GL.glGetBufferSubData(GL.GL_TRANSFORM_FEEDBACK_BUFFER, 0, vertices.nbytes)
-    GL.glUseProgram(0)
-    GL.glDeleteBuffers(1, [buffer])
-    GL.glDeleteProgram(program)
-    return np.frombuffer(bytes(data), np.float32).reshape(-1, 4)
+    """gl_Position of each vertex. vertices: (n, 4) float32 -> (n, 4)."""
+    return caught(driver, compose(recipe).text, vertices, uniforms)
 
 
 def directions(count, reach=np.pi):
