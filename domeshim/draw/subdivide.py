@@ -91,6 +91,8 @@ def _draw_patches(
 
 
 def _draw_triangles(piece: Run, context: DomeContext, drawer: Drawer) -> None:
+    if context.scene.scene().lighting is not None:
+        context.say_once("method cpu lights large polygons at more places than their own corners")
     widest = 1 / context.tolerance.detail
     piece = triangles_under(drawer.completed(piece), context.to_eye, widest, flat=_flat(context))
     drawer.draw_all(_TRIANGLES, piece, context.draw)

@@ -21,7 +21,8 @@ from domeshim.shading.recipe import (
 )
 from domeshim.shading.snippets import snippet
 
-VERSION = "#version 150 compatibility"
+VERSION = "#version 130"
+"""The oldest with clip distances."""
 
 
 @dataclass(frozen=True)

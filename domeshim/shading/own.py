@@ -10,7 +10,6 @@ import re
 from dataclasses import dataclass
 from typing import Literal
 
-from domeshim.shading.compose import VERSION
 from domeshim.shading.snippets import snippet
 
 Stage = Literal["vertex", "evaluation", "geometry"]
@@ -22,6 +21,8 @@ gl_ClipVertex, or nothing is cut (without a gl_ClipVertex, GL leaves it open wha
 RIM_DISTANCE, EDGE_DISTANCES = 3, (4, 5, 6, 7)
 """The clip distances of the rim, and of the viewport's and scissor's edges; the lower are the program's."""
 
+_RAISED = "#version 150 compatibility"
+"""What an older shader becomes."""
 _COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 _VERSION = re.compile(r"[ \t]*#[ \t]*version[ \t]+(\d+)[ \t]*(\w*)")
 _DIRECTIVE = re.compile(r"\s*#\s*(if|endif|extension)?")
@@ -89,7 +90,7 @@ def rewritten(text: str, stage: Stage, landing: Landing) -> tuple[Rewritten, ...
     own_version = version[0].strip() if version is not None else "#version 110"
     if profile == "es" or number == 100:
         return (_joined(own_version, whole, stage, landing, cut=False),)
-    raised = VERSION if number < 150 else own_version
+    raised = _RAISED if number < 150 else own_version
     return (
         _joined(raised, whole, stage, landing, cut=True),
         _joined(own_version, whole, stage, landing, cut=False),

@@ -80,7 +80,7 @@ def test_the_methods_agree(beside, method):
     assert (picture != best).sum() < 0.01 * best.sum() < (plain != best).sum()
 
 
-@pytest.mark.parametrize(("version", "glsl"), [("3.2COMPAT", "150")])
+@pytest.mark.parametrize(("version", "glsl"), [("3.0", "130"), ("3.2COMPAT", "150")])
 def test_older_gl(tmp_path, version, glsl):
     """Mesa in the place of an older driver."""
     program = tmp_path / "wall.py"
