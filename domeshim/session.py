@@ -14,7 +14,9 @@ from domeshim.window.clock import Clock, RealClock
 if TYPE_CHECKING:
     from domeshim.GLUT.state import GlutState
     from domeshim.startup import Installation
+    from domeshim.state.region import Region
     from domeshim.window.contract import Backend, BackendFactory, Window
+    from domeshim.window.frame import Rectangle
 
 
 class Dome(Protocol):
@@ -38,11 +40,27 @@ class Dome(Protocol):
     def frame_place(self, window: Window, x: float, y: float) -> tuple[float, float]:
         """Where a place of the program's window is in the frame; pixels, origin at the top left."""
 
+    def fills(self, window: Window) -> bool:
+        """A window that lies inside another is a main view, which fills the dome."""
+
+    def region(self, window: Window, part: Rectangle) -> Region | None:
+        """Which pixels of the frame show this part of a window that lies inside another; None: none do."""
+
     def flush(self) -> None:
         """Let GL see what has been recorded."""
 
     def frame_ending(self, window: Window) -> None:
         """The picture is complete: what must still be drawn over it is drawn now."""
+
+
+class Parts(Protocol):
+    """Makes one picture of several windows'."""
+
+    def keep(self, window: Window) -> bool:
+        """Keep a finished picture, whose window is current; False where it is a whole one."""
+
+    def round_ended(self) -> None:
+        """Show what has come together."""
 
 
 class FrameListener(Protocol):
@@ -74,6 +92,8 @@ class Session:
         self.dome: Dome | None = None
         self.installation: Installation | None = None
         self.listeners: list[FrameListener] = []
+        self.parts: Parts | None = None
+        """Takes the pictures of windows that lie inside others; None where there are none."""
         self.glut: GlutState | None = None
         self.frames = 0
         self._backend_factory = backend
@@ -199,6 +219,11 @@ class Session:
         if self.dome is not None and window not in self._unbent:
             self.dome.frame_ending(window)
         self._drawn = self._flushed = False  # the dome's own last draws belong to the picture that ends
+        if self.parts is None or not self.parts.keep(window):
+            self.show(window)
+
+    def show(self, window: Window) -> None:
+        """The picture in the window's back buffer is whole: count it, let it be seen, and show it."""
         self.frames += 1
         for listener in tuple(self.listeners):
             listener.frame_finished(window, self.frames)

@@ -5,13 +5,18 @@ from __future__ import annotations
 from domeshim import session as sessions
 from domeshim.GLUT import constants as c
 from domeshim.GLUT.dispatch import call_window, close_surface
+from domeshim.GLUT.families import uncovered
 from domeshim.GLUT.state import GlutState, GlutWindow
 
 
 def mark_closed(state: GlutState, window: GlutWindow) -> None:
     """Forget the window and those inside it; its context stays until this round of the main loop is over."""
-    for child in [w for w in state.windows.values() if w.parent == window.number]:
+    for child in tuple(window.children):
         mark_closed(state, child)
+    uncovered(state, window)
+    for other in state.windows.values():
+        other.pointed = None if other.pointed is window else other.pointed
+        other.children = [child for child in other.children if child is not window]
     state.windows.pop(window.number, None)
     state.closing.append(window)
     if state.current is window:

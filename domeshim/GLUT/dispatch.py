@@ -51,9 +51,12 @@ def call_input(state: GlutState, window: GlutWindow, modifiers: int, name: str, 
 def make_current(state: GlutState, window: GlutWindow) -> None:
     """Direct the program's GL calls to the window."""
     if state.current is not window:
+        session = sessions.current()
+        if session.dome is not None:
+            session.dome.flush()  # what was recorded belongs to the window before
         window.surface.make_current()
         state.current = window
-        sessions.current().window_current(window.surface)
+        session.window_current(window.surface)
 
 
 def close_surface(state: GlutState, window: GlutWindow) -> None:

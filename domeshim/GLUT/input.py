@@ -8,6 +8,7 @@ from domeshim import session as sessions
 from domeshim.GLUT import constants as c
 from domeshim.GLUT import keys
 from domeshim.GLUT.dispatch import call_input, call_window
+from domeshim.GLUT.families import enter, point, pointed_window
 from domeshim.GLUT.popup import menu_takes_button, menu_takes_motion
 from domeshim.GLUT.state import GlutState, GlutWindow
 
@@ -37,16 +38,21 @@ def frame_pointer(window: GlutWindow, x: int, y: int) -> tuple[float, float]:
     return max(0, min(math.floor(x_found), width - 1)), max(0, min(math.floor(y_found), height - 1))
 
 
+# The screen tells an outermost window of all that happens to it and to those inside it. Which keys are held
+# is noted there; who hears of it is where the pointer is.
+
+
 def key(state: GlutState, window: GlutWindow, key: int, pressed: bool, modifiers: int) -> None:
     """Tell of a key, unless its character is still to come."""
+    heard = pointed_window(window)
     window.typing = None
-    window.modifiers = keys.glut_modifiers(modifiers)
+    heard.modifiers = keys.glut_modifiers(modifiers)
     if not pressed:
         if key in window.keys:
             family, value = window.keys.pop(key)
-            call_input(state, window, window.modifiers, family + "_up", value)
+            call_input(state, heard, heard.modifiers, family + "_up", value)
         return
-    if key in window.keys and (window.ignore_repeat or state.key_repeat == c.GLUT_KEY_REPEAT_OFF):
+    if key in window.keys and (heard.ignore_repeat or state.key_repeat == c.GLUT_KEY_REPEAT_OFF):
         window.typing = _REPEATED
         return
     special = keys.special_number(key)
@@ -65,49 +71,58 @@ def character(state: GlutState, window: GlutWindow, codepoint: int) -> None:
     if typed is None or window.typing == _REPEATED:
         return
     if window.typing is None:
-        call_input(state, window, window.modifiers, "keyboard", typed)
+        heard = pointed_window(window)
+        call_input(state, heard, heard.modifiers, "keyboard", typed)
     else:
         _press(state, window, window.typing, "keyboard", typed)
 
 
 def _press(state: GlutState, window: GlutWindow, key: int, family: str, value: bytes | int) -> None:
     window.keys[key] = (family, value)
-    call_input(state, window, window.modifiers, family, value)
+    heard = pointed_window(window)
+    call_input(state, heard, heard.modifiers, family, value)
 
 
 def pointer_moved(state: GlutState, window: GlutWindow, x: float, y: float) -> None:
     """Tell of the pointer, in the program's pixels."""
-    window.pointer = program_pointer(window, x, y)
+    heard = point(state, window, *program_pointer(window, x, y))
     if menu_takes_motion(state, window):
         return
-    call_window(state, window, "motion" if window.buttons else "passive_motion", *window.pointer)
+    call_window(state, heard, "motion" if heard.buttons else "passive_motion", *heard.pointer)
 
 
 def pointer_entered(state: GlutState, window: GlutWindow, inside: bool) -> None:
     """Tell of the pointer coming and leaving."""
-    call_window(state, window, "entry", c.GLUT_ENTERED if inside else c.GLUT_LEFT)
+    if window.children:
+        enter(state, window, window if inside else None)
+    else:
+        call_window(state, window, "entry", c.GLUT_ENTERED if inside else c.GLUT_LEFT)
 
 
 def button(state: GlutState, window: GlutWindow, button: int, pressed: bool, modifiers: int) -> None:
     """Tell of a mouse button, unless it opens a menu."""
+    heard = pointed_window(window)
     number = keys.glut_button(button)
-    (window.buttons.add if pressed else window.buttons.discard)(number)
-    if menu_takes_button(state, window, number, pressed):
+    (heard.buttons.add if pressed else heard.buttons.discard)(number)
+    if menu_takes_button(state, heard, number, pressed):
         return
-    window.modifiers = keys.glut_modifiers(modifiers)
-    call_input(state, window, window.modifiers, "mouse", number, c.GLUT_DOWN if pressed else c.GLUT_UP)
+    heard.modifiers = keys.glut_modifiers(modifiers)
+    call_input(state, heard, heard.modifiers, "mouse", number, c.GLUT_DOWN if pressed else c.GLUT_UP)
+    if window.children and not heard.buttons:
+        point(state, window, *window.pointer)  # it may have been let go over another window
 
 
 def wheel(state: GlutState, window: GlutWindow, dx: float, dy: float) -> None:
     """Turn by whole notches: up is button 3, down 4, left 5, right 6, or a wheel and a direction."""
+    heard = pointed_window(window)
     for wheel, turned in ((0, dy), (1, dx)):
-        part, whole = math.modf(window.turned[wheel] + turned)
-        window.turned[wheel] = part
+        part, whole = math.modf(heard.turned[wheel] + turned)
+        heard.turned[wheel] = part
         direction = 1 if whole > 0 else -1
         for _ in range(abs(int(whole))):
-            if "wheel" in window.callbacks:
-                call_input(state, window, window.modifiers, "wheel", wheel, direction)
+            if "wheel" in heard.callbacks:
+                call_input(state, heard, heard.modifiers, "wheel", wheel, direction)
             else:
                 button = 3 + 2 * wheel + (direction < 0)
-                call_input(state, window, window.modifiers, "mouse", button, c.GLUT_DOWN)
-                call_input(state, window, window.modifiers, "mouse", button, c.GLUT_UP)
+                call_input(state, heard, heard.modifiers, "mouse", button, c.GLUT_DOWN)
+                call_input(state, heard, heard.modifiers, "mouse", button, c.GLUT_UP)

@@ -10,6 +10,7 @@ from domeshim.GLUT import constants as c
 from domeshim.GLUT.arguments import callback, integer
 from domeshim.GLUT.closing import close_all, close_marked, closing_action
 from domeshim.GLUT.dispatch import call, make_current
+from domeshim.GLUT.families import shown
 from domeshim.GLUT.popup import draw_open_menu
 from domeshim.GLUT.reactions import dispatch_events
 from domeshim.GLUT.state import GlutState, GlutWindow, Timer, current_window, glut_state, initialised_state
@@ -36,6 +37,7 @@ def glutMainLoop() -> None:
             idled = state.idle is not None
             if state.idle is not None:
                 call(state, state.idle)
+                _show_composed()
             _turn_virtual_clock(state, idled)
     state.running = False
     action = closing_action(state)
@@ -94,7 +96,8 @@ def glutSwapBuffers() -> None:
     window = current_window("glutSwapBuffers")
     session = sessions.current()
     if window.surface.format.double_buffer:
-        draw_open_menu(glut_state(), window)
+        if not window.children:  # else it is drawn over all of them
+            draw_open_menu(glut_state(), window)
         session.swapped(window.surface)
     else:
         from OpenGL import GL  # noqa: PLC0415 - its functions as they are overlaid now
@@ -108,9 +111,17 @@ def _round(state: GlutState, wait: float) -> None:
     dispatch_events(state)
     _fire_timers(state)
     for window in list(state.windows.values()):
-        if window.redisplay and window.visible and window.number in state.windows:
+        if window.redisplay and shown(state, window) and window.number in state.windows:
             _display(state, window)
+    _show_composed()
     close_marked(state)
+
+
+def _show_composed() -> None:
+    """Show the pictures that are made of several windows'."""
+    parts = sessions.current().parts
+    if parts is not None:
+        parts.round_ended()
 
 
 def _fire_timers(state: GlutState) -> None:
@@ -128,14 +139,18 @@ def _display(state: GlutState, window: GlutWindow) -> None:
     if display is None:
         state.fail(f"No display callback registered for window {window.number}")
     assert display is not None
-    session = sessions.current()
+    session, former = sessions.current(), state.current
     window.redisplay = False
     make_current(state, window)
     session.display_begins(window.surface)
     call(state, display)
-    if not window.surface.format.double_buffer:
+    if not (window.surface.format.double_buffer or window.children):
         draw_open_menu(state, window)
     session.display_ended(window.surface)
+    if window.parent and not window.surface.format.double_buffer and not window.fresh:
+        session.swapped(window.surface)  # where nobody watches the program's glFlush
+    if former is not None and former.number in state.windows:
+        make_current(state, former)  # as freeglut does after this callback alone
 
 
 def _wait(state: GlutState) -> float:
@@ -149,7 +164,7 @@ def _wait(state: GlutState) -> float:
 
 
 def _work_pending(state: GlutState) -> bool:
-    return bool(state.events) or any(w.redisplay and w.visible for w in state.windows.values())
+    return bool(state.events) or any(w.redisplay and shown(state, w) for w in state.windows.values())
 
 
 def _turn_virtual_clock(state: GlutState, idled: bool) -> None:

@@ -10,8 +10,9 @@ from domeshim.GLUT import constants as c
 from domeshim.GLUT.arguments import integer, real, text
 from domeshim.GLUT.closing import mark_closed
 from domeshim.GLUT.dispatch import make_current
+from domeshim.GLUT.opening import open_window
 from domeshim.GLUT.state import GlutState, current_window, glut_state, initialised_state
-from domeshim.GLUT.windows import glutFullScreen, open_window
+from domeshim.GLUT.windows import glutFullScreen
 
 _GAME_MODE = re.compile(r"(?:(\d+)x(\d+))?(?::(\d+))?(?:@(\d+))?")
 

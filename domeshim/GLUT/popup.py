@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from domeshim.GLUT import constants as c
 from domeshim.GLUT.dispatch import call, make_current
+from domeshim.GLUT.families import outermost
 from domeshim.GLUT.state import GlutState, GlutWindow, Menu
 
 ROW, LETTER, MARGIN = 18, 8, 6
@@ -60,13 +61,16 @@ class OpenMenu:
     """The open panes, each submenu after the one that it belongs to."""
 
     window: GlutWindow
+    """Where the button was pressed."""
+    outer: GlutWindow
+    """The outermost window around that one: the panes lie in it and may leave the inner one."""
     button: int
     opened_at: tuple[int, int]
     panes: list[Pane]
 
     def dragged(self) -> bool:
         """Return whether the pointer has left the place where the menu was opened: a release chooses then."""
-        x, y = self.window.pointer
+        x, y = self.outer.pointer
         return abs(x - self.opened_at[0]) + abs(y - self.opened_at[1]) > NEAR
 
     def point(self, state: GlutState, x: int, y: int) -> None:
@@ -85,7 +89,14 @@ class OpenMenu:
         _, number, opens = pane.menu.items[index]
         if opens and number in state.menus:
             self.panes.append(Pane(state.menus[number], pane.x + pane.width, pane.y + index * ROW))
-        self.window.redisplay = True
+        self.drawn_again()
+
+    def drawn_again(self) -> None:
+        """Have the picture made anew, with the panes as they are now."""
+        if self.outer.children:
+            self.outer.stale = True
+        else:
+            self.outer.redisplay = True
 
     def choice(self, x: int, y: int) -> tuple[Menu, int | None] | None:
         """Return the menu and the value of the entry at (x, y), no value where it opens another; or None."""
@@ -106,7 +117,8 @@ def menu_takes_button(state: GlutState, window: GlutWindow, button: int, pressed
             return False
         _open(state, window, button, state.menus[number])
         return True
-    choice = menu.choice(*window.pointer) if window is menu.window else None
+    outer = outermost(state, window)
+    choice = menu.choice(*outer.pointer) if outer is menu.outer else None
     if choice is None:
         if pressed:
             close_open_menu(state)
@@ -119,22 +131,23 @@ def menu_takes_button(state: GlutState, window: GlutWindow, button: int, pressed
 
 
 def menu_takes_motion(state: GlutState, window: GlutWindow) -> bool:
-    """Let the pointer mark entries of an open menu; False where none is open in this window."""
+    """Let the pointer mark entries of an open menu; False where none is open in this outermost window."""
     menu = state.open_menu
-    if menu is None or menu.window is not window:
+    if menu is None or menu.outer is not window:
         return False
     menu.point(state, *window.pointer)
     return True
 
 
 def _open(state: GlutState, window: GlutWindow, button: int, menu: Menu) -> None:
-    x, y = window.pointer
+    outer = outermost(state, window)
+    x, y = outer.pointer
     pane = Pane(menu, x, y)
-    pane.x = max(min(x, window.size[0] - pane.width), 0)
-    pane.y = max(min(y, window.size[1] - ROW * len(menu.items)), 0)
-    state.open_menu = OpenMenu(window, button, (x, y), [pane])
+    pane.x = max(min(x, outer.size[0] - pane.width), 0)
+    pane.y = max(min(y, outer.size[1] - ROW * len(menu.items)), 0)
+    state.open_menu = OpenMenu(window, outer, button, (x, y), [pane])
     state.menu = menu
-    window.redisplay = True
+    state.open_menu.drawn_again()
     _tell(state, window, c.GLUT_MENU_IN_USE)
 
 
@@ -142,7 +155,7 @@ def close_open_menu(state: GlutState) -> None:
     """Take the open menu, if any, from the window."""
     menu, state.open_menu = state.open_menu, None
     if menu is not None:
-        menu.window.redisplay = True
+        menu.drawn_again()
         _tell(state, menu.window, c.GLUT_MENU_NOT_IN_USE)
 
 
@@ -154,8 +167,8 @@ def _tell(state: GlutState, window: GlutWindow, status: int) -> None:
 
 
 def draw_open_menu(state: GlutState, window: GlutWindow) -> None:
-    """Draw the menu over the picture of the window that it is open in."""
-    if state.open_menu is None or state.open_menu.window is not window:
+    """Draw the menu over the picture of the outermost window that it is open in."""
+    if state.open_menu is None or state.open_menu.outer is not window:
         return
     from OpenGL import GL  # noqa: PLC0415 - its functions as they are overlaid now
 

@@ -9,6 +9,7 @@ from domeshim.GLUT import constants as c
 from domeshim.GLUT import input as program_input
 from domeshim.GLUT.closing import user_closes
 from domeshim.GLUT.dispatch import call_window, make_current
+from domeshim.GLUT.families import lay_out, uncovered
 from domeshim.GLUT.state import GlutState, GlutWindow
 
 
@@ -26,6 +27,8 @@ def _resized(state: GlutState, window: GlutWindow, width: int, height: int) -> N
     window.size = window.told_size = size
     make_current(state, window)
     sessions.current().window_resized(window.surface, size)
+    for child in tuple(window.children):
+        lay_out(state, child)
     if size != told:
         _tell_size(state, window)
     window.redisplay = True
@@ -49,10 +52,16 @@ def _moved(state: GlutState, window: GlutWindow, x: int, y: int) -> None:
 
 
 def _visibility_changed(state: GlutState, window: GlutWindow, visible: bool) -> None:
+    came_back = visible and not window.visible
     window.visible = visible
     window.redisplay |= visible
+    if not visible:
+        uncovered(state, window)
     call_window(state, window, "window_status", c.GLUT_FULLY_RETAINED if visible else c.GLUT_HIDDEN)
     call_window(state, window, "visibility", c.GLUT_VISIBLE if visible else c.GLUT_NOT_VISIBLE)
+    for child in [inner for inner in window.children if came_back and inner.visible]:
+        child.redisplay = True
+        call_window(state, child, "visibility", c.GLUT_VISIBLE)
 
 
 _HANDLERS: dict[str, Callable[..., None]] = {

@@ -6,6 +6,9 @@ from collections import deque
 from dataclasses import dataclass, field
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from domeshim import session as sessions
 from domeshim.GLUT import constants as c
 from domeshim.GLUT.arguments import Callback
@@ -26,8 +29,11 @@ class GlutWindow:
     asked_mode: int
     """The display mode it was opened with."""
     parent: int = 0
+    """The number of the window around it, 0 for none."""
+    children: list[GlutWindow] = field(default_factory=list)
+    """The windows inside it, the lowest first."""
     fixed: bool = False
-    """The frame has a size of its own, whatever the program's size is (DOME_FRAME, DOME_DISPLAY)."""
+    """The surface has a size of its own, whatever the program's size is: DOME_FRAME, DOME_DISPLAY, inside."""
     callbacks: dict[str, Callback] = field(default_factory=dict)
     menus: dict[int, int] = field(default_factory=dict)
     """Which menu opens on which of GLUT's mouse buttons."""
@@ -46,6 +52,14 @@ class GlutWindow:
     """GLUT_ACTIVE_... at the last key or button."""
     turned: list[float] = field(default_factory=lambda: [0.0, 0.0])
     """Parts of a notch by which each wheel has turned and no callback has heard of."""
+    pointed: GlutWindow | None = None
+    """Which of it and the windows inside it the pointer is over; of outermost windows."""
+    picture: NDArray[np.uint8] | None = None
+    """Its last finished picture, (height, width, 3), the top row first; of windows with others inside."""
+    fresh: bool = False
+    """That has not been shown yet."""
+    stale: bool = False
+    """What lies inside it has changed its place, so it must be shown anew; of outermost windows."""
     told_size: tuple[int, int] | None = None
     """The size that the last reshape callback was given."""
     cursor: int = c.GLUT_CURSOR_INHERIT

@@ -5,31 +5,14 @@ from __future__ import annotations
 from typing import Any
 
 from domeshim import session as sessions
-from domeshim.errors import ScreenError
-from domeshim.GLUT import constants as c
 from domeshim.GLUT.arguments import integer, text
 from domeshim.GLUT.closing import mark_closed
-from domeshim.GLUT.complaints import fatal
+from domeshim.GLUT.cursors import show_cursor
 from domeshim.GLUT.dispatch import make_current
-from domeshim.GLUT.events import QueuedEvents
+from domeshim.GLUT.families import lay_out, outermost, pointed_window, uncovered
 from domeshim.GLUT.input import frame_pointer
-from domeshim.GLUT.state import GlutState, GlutWindow, current_window, glut_state, initialised_state
-from domeshim.window.contract import SurfaceFormat
-
-_CURSORS = {
-    c.GLUT_CURSOR_INFO: "hand",
-    c.GLUT_CURSOR_TEXT: "ibeam",
-    c.GLUT_CURSOR_CROSSHAIR: "crosshair",
-    c.GLUT_CURSOR_FULL_CROSSHAIR: "crosshair",
-    c.GLUT_CURSOR_UP_DOWN: "vresize",
-    c.GLUT_CURSOR_TOP_SIDE: "vresize",
-    c.GLUT_CURSOR_BOTTOM_SIDE: "vresize",
-    c.GLUT_CURSOR_LEFT_RIGHT: "hresize",
-    c.GLUT_CURSOR_LEFT_SIDE: "hresize",
-    c.GLUT_CURSOR_RIGHT_SIDE: "hresize",
-    c.GLUT_CURSOR_NONE: "none",
-}
-"""The contract's shape for each of GLUT's cursors; an arrow for the others."""
+from domeshim.GLUT.opening import open_subwindow, open_window
+from domeshim.GLUT.state import GlutWindow, current_window, glut_state, initialised_state
 
 
 def glutCreateWindow(title: Any) -> int:
@@ -44,71 +27,31 @@ def glutCreateWindow(title: Any) -> int:
 
 
 def glutCreateSubWindow(window: Any, x: Any, y: Any, width: Any, height: Any) -> int:
-    """Open a window of its own in the place where GLUT would put one inside another; says so once."""
+    """Open a window with a context of its own inside another, make it current and return its number.
+
+    x, y: from the left and the top of that window; negative, its right or bottom edge that far from the
+    other side. A width or height under 0 leaves that much free there. Returns 0 where no window has that
+    number.
+    """
     function = "glutCreateSubWindow"
     state = initialised_state(function)
     parent = state.windows.get(integer(function, "window", window))
+    left, width = integer(function, "x", x), integer(function, "width", width)
+    top, height = integer(function, "y", y), integer(function, "height", height)
     if parent is None:
         return 0
-    state.say_once("a subwindow is opened as a window of its own: nothing can be opened inside another here")
-    left, top = parent.surface.position
-    size = (integer(function, "width", width), integer(function, "height", height))
-    place = (left + integer(function, "x", x), top + integer(function, "y", y))
-    return open_window(state, "subwindow", size, place, parent.number).number
+    left, width = _span(left, width, parent.size[0])
+    top, height = _span(top, height, parent.size[1])
+    return open_subwindow(state, parent, (left, top), (width, height)).number
 
 
-def open_window(
-    state: GlutState, title: str, size: tuple[int, int], position: tuple[int, int] | None, parent: int = 0
-) -> GlutWindow:
-    """Open a window of the current display mode and tell the session of it.
-
-    Ends the program with one line where no window can be had.
-    """
-    session = sessions.current()
-    options = session.options
-    size = session.window_size or (max(size[0], 1), max(size[1], 1))
-    frame = options.frame if options.enabled else None
-    display = options.display if options.enabled else None
-    shares = state.options.get(c.GLUT_RENDERING_CONTEXT) == c.GLUT_USE_CURRENT_CONTEXT and state.current
-    events = QueuedEvents(state)
-    try:
-        surface = session.backend.open_window(
-            title,
-            frame or size,
-            position,
-            _surface_format(state, session.backend.dome_samples if options.enabled else 0),
-            events,
-            share=shares.surface if shares else None,
-        )
-        if display is not None:
-            surface.set_full_screen(True, display)
-    except ScreenError as error:
-        fatal(state.program, str(error))
-    fixed = frame is not None or display is not None
-    window = GlutWindow(state.next_window, surface, size, state.display_mode, parent, fixed, redisplay=True)
-    events.window = window
-    state.next_window += 1
-    state.windows[window.number] = window
-    state.current = window
-    session.window_opened(surface, size)
-    events.resized(*surface.size)
-    events.visibility_changed(True)
-    return window
-
-
-def _surface_format(state: GlutState, dome_samples: int) -> SurfaceFormat:
-    """Return what the program asked for and no more: without a depth buffer nothing is hidden, as there."""
-    mode = state.display_mode
-    multisampled = mode & c.GLUT_MULTISAMPLE
-    return SurfaceFormat(
-        double_buffer=bool(mode & c.GLUT_DOUBLE),
-        depth=bool(mode & c.GLUT_DEPTH),
-        stencil=bool(mode & c.GLUT_STENCIL),
-        alpha=bool(mode & c.GLUT_ALPHA),
-        accumulation=bool(mode & c.GLUT_ACCUM),
-        stereo=bool(mode & c.GLUT_STEREO),
-        samples=state.samples if multisampled else dome_samples,
-    )
+def _span(start: int, length: int, whole: int) -> tuple[int, int]:
+    """Return where a subwindow begins and how long it is, as freeglut understands negative numbers."""
+    if start < 0:
+        start = whole + start - max(length, 0)
+    if length < 0:
+        length = whole - start + length
+    return (start, length) if length >= 0 else (start + length, -length)
 
 
 def glutDestroyWindow(window: Any) -> None:
@@ -154,21 +97,29 @@ def glutReshapeWindow(width: Any, height: Any) -> None:
     size = (integer("glutReshapeWindow", "width", width), integer("glutReshapeWindow", "height", height))
     window = current_window("glutReshapeWindow")
     _leave_full_screen(window)
-    if sessions.current().window_size is not None or min(size) < 1:
+    if min(size) < 1 or (sessions.current().window_size is not None and not window.parent):
         return
     if window.fixed:
         window.size = size
+    if window.parent:
+        window.surface.resize(*size)
+        lay_out(glut_state(), window)
+    elif window.fixed:
         window.surface.events.resized(*window.surface.size)
     else:
         window.surface.resize(*size)
 
 
 def glutPositionWindow(x: Any, y: Any) -> None:
-    """Put the current window's top left corner at (x, y) of the screen."""
+    """Put the current window's top left corner at (x, y) of the screen, or of the window around it."""
     place = (integer("glutPositionWindow", "x", x), integer("glutPositionWindow", "y", y))
     window = current_window("glutPositionWindow")
     _leave_full_screen(window)
-    if not window.fixed:
+    if window.parent:
+        window.surface.move(*place)
+        lay_out(glut_state(), window)
+        uncovered(glut_state(), window)
+    elif not window.fixed:
         window.surface.move(*place)
 
 
@@ -176,6 +127,9 @@ def glutFullScreen() -> None:
     """Cover the screen with the current window; where the frame's size is fixed, leave it as it is."""
     window = current_window("glutFullScreen")
     session = sessions.current()
+    if window.parent:
+        glut_state().warn("glutFullScreen called on a child window, ignoring...")
+        return
     if window.full_screen or window.fixed or session.window_size is not None:
         return
     window.surface.set_full_screen(True)
@@ -217,13 +171,25 @@ def glutIconifyWindow() -> None:
 
 
 def glutPushWindow() -> None:
-    """Do nothing: no screen that we open windows on lets a program order them."""
-    current_window("glutPushWindow")
+    """Put the current window under all others, one inside another under those beside it."""
+    _order(current_window("glutPushWindow"), highest=False)
 
 
 def glutPopWindow() -> None:
-    """Do nothing: no screen that we open windows on lets a program order them."""
-    current_window("glutPopWindow")
+    """Put the current window over all others, one inside another over those beside it."""
+    _order(current_window("glutPopWindow"), highest=True)
+
+
+def _order(window: GlutWindow, *, highest: bool) -> None:
+    state = glut_state()
+    parent = state.windows.get(window.parent)
+    if parent is None:
+        if not window.surface.put(highest=highest):
+            state.say_once("this screen does not let a program say which window lies over which")
+        return
+    parent.children.remove(window)
+    parent.children.insert(len(parent.children) if highest else 0, window)
+    outermost(state, window).stale = True
 
 
 def glutSetCursor(cursor: Any) -> None:
@@ -231,7 +197,8 @@ def glutSetCursor(cursor: Any) -> None:
     number = integer("glutSetCursor", "cursor", cursor)
     window = current_window("glutSetCursor")
     window.cursor = number
-    window.surface.set_cursor(_CURSORS.get(number, "arrow"))
+    if pointed_window(outermost(glut_state(), window)) is window:
+        show_cursor(glut_state(), window)
 
 
 def glutWarpPointer(x: Any, y: Any) -> None:

@@ -19,7 +19,9 @@ from domeshim.record.arrays import ArrayReader, Elements
 from domeshim.record.immediate import Immediate, Run
 from domeshim.record.lists import Building, DisplayLists
 from domeshim.state.context import DomeContext
-from domeshim.window.frame import Frame
+from domeshim.state.region import Region
+from domeshim.window.frame import Frame, Rectangle
+from domeshim.window.subwindow import SubWindow
 
 if TYPE_CHECKING:
     from domeshim.session import Session
@@ -43,6 +45,10 @@ def inside_block(context: DomeContext) -> Iterator[None]:
             checker.onEnd()
 
 
+def _frame(window: Window, program_size: tuple[int, int]) -> Frame:
+    return Frame(window.size, program_size, window.inside if isinstance(window, SubWindow) else None)
+
+
 _MESHES_OF_A_LIST = 64
 """A list of more pieces keeps the rest as GL's own, for each piece costs its own decision."""
 
@@ -51,9 +57,11 @@ class WindowDome:
     """All that the dome keeps for one window."""
 
     def __init__(
-        self, session: Session, driver: Driver, window: Window, program_size: tuple[int, int]
+        self, session: Session, driver: Driver, frame: Frame, around: WindowDome | None = None
     ) -> None:
-        self.context = DomeContext(session.options, Frame(window.size, program_size), driver)
+        """around: the outermost window's, where this one lies inside another."""
+        main = around.context.placer.main if around else None
+        self.context: DomeContext = DomeContext(session.options, frame, driver, main)
         self.lists = DisplayLists(driver)
         self.submitter = Submitter(driver)
         self.arrays = ArrayReader(driver)
@@ -79,7 +87,9 @@ class Dome:
 
     def window_opened(self, window: Window, program_size: tuple[int, int]) -> None:
         """A window's context was made and is current."""
-        self._windows[window] = WindowDome(self._session, self._driver, window, program_size)
+        around = self._windows.get(window.outermost) if isinstance(window, SubWindow) else None
+        frame = _frame(window, program_size)
+        self._windows[window] = WindowDome(self._session, self._driver, frame, around)
         self.window_current(window)
 
     def window_current(self, window: Window | None) -> None:
@@ -88,13 +98,15 @@ class Dome:
         self.context = self._current.context if self._current else None
         self.lists = self._current.lists if self._current else None
         self.building = self.lists.building if self.lists else None
+        if self.context is not None:
+            self.context.viewport_changed()  # another window may have changed the main view that they share
 
     def window_resized(self, window: Window, program_size: tuple[int, int]) -> None:
         """The program's window has this size now."""
         context = self._windows[window].context
         self.flush()
         context.undress()
-        context.frame = Frame(window.size, program_size)
+        context.frame = _frame(window, program_size)
         context.viewport_changed()
 
     def window_closed(self, window: Window) -> None:
@@ -118,6 +130,14 @@ class Dome:
         sight = self._windows[window].context.pixels.sight
         place = sight.to_frame(np.array([x, sight.frame.program_size[1] - y]))
         return float(place[0]), float(sight.frame.size[1] - place[1])
+
+    def fills(self, window: Window) -> bool:
+        """A window that lies inside another is a main view, which fills the dome."""
+        return self._windows[window].context.pixels.fills_dome
+
+    def region(self, window: Window, part: Rectangle) -> Region | None:
+        """Which pixels of the frame show this part of a window that lies inside another; None: none do."""
+        return self._windows[window].context.pixels.region(part)
 
     def clearing(self) -> None:
         """The program clears a buffer, and the dome does it."""

@@ -37,21 +37,24 @@ TRANSFER = {
 }
 
 
-def read_pixels(width: int, height: int) -> bytes:
-    """The current window's back buffer: height rows of width RGB pixels, a byte each, the top row first."""
+def read_pixels(width: int, height: int, *, corner: tuple[int, int] = (0, 0), buffer: int = GL_BACK) -> bytes:
+    """Pixels of the current window: height rows of width RGB pixels, a byte each, the top row first.
+
+    corner: their lower left one, x and y from the window's lower left; buffer: GL_BACK or GL_FRONT.
+    """
     from OpenGL.platform import PLATFORM  # noqa: PLC0415 - the program may still set PyOpenGL's flags
 
     gl = PLATFORM.GL
     pixels = create_string_buffer(3 * width * height)
-    with _plain_reading(gl), _resolved(gl, width, height):
-        gl.glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, pixels)
+    with _plain_reading(gl, buffer), _resolved(gl, corner, width, height) as (left, bottom):
+        gl.glReadPixels(left, bottom, width, height, GL_RGB, GL_UNSIGNED_BYTE, pixels)
     row = 3 * width
     return b"".join(pixels.raw[start : start + row] for start in range(row * (height - 1), -1, -row))
 
 
 @contextmanager
-def _plain_reading(gl: Any) -> Iterator[None]:
-    """Reading goes from the window to memory, tightly packed and unchanged, while this lasts."""
+def _plain_reading(gl: Any, buffer: int) -> Iterator[None]:
+    """Reading goes from a buffer of the window to memory, tightly packed and unchanged, while this lasts."""
     restore = []
 
     def put(setter: Any, name: int, former: Any, wanted: Any) -> None:
@@ -62,7 +65,7 @@ def _plain_reading(gl: Any) -> Iterator[None]:
 
     put(gl.glBindBuffer, PIXEL_PACK_BUFFER, _integer(gl, PIXEL_PACK_BUFFER_BINDING), c_int(0))
     put(gl.glBindFramebuffer, READ_FRAMEBUFFER, _integer(gl, READ_FRAMEBUFFER_BINDING), c_int(0))
-    put(lambda _, buffer: gl.glReadBuffer(buffer), 0, _integer(gl, READ_BUFFER), c_int(GL_BACK))
+    put(lambda _, buffer: gl.glReadBuffer(buffer), 0, _integer(gl, READ_BUFFER), c_int(buffer))
     for name, plain in PACK_LAYOUT.items():
         put(gl.glPixelStorei, name, _integer(gl, name), c_int(plain))
     for name, scale in TRANSFER.items():
@@ -75,14 +78,15 @@ def _plain_reading(gl: Any) -> Iterator[None]:
 
 
 @contextmanager
-def _resolved(gl: Any, width: int, height: int) -> Iterator[None]:
+def _resolved(gl: Any, corner: tuple[int, int], width: int, height: int) -> Iterator[tuple[int, int]]:
     """Reading from a multisampled window gives the mean of each pixel's samples while this lasts.
 
-    Mesa's glReadPixels alone gives one of them.
+    Mesa's glReadPixels alone gives one of them. Yields where the corner is to be read then.
     """
     if not _integer(gl, SAMPLES).value:
-        yield
+        yield corner
         return
+    left, bottom = corner
     framebuffer, colour = c_uint(), c_uint()
     drawn_to, renderbuffer = _integer(gl, DRAW_FRAMEBUFFER_BINDING), _integer(gl, RENDERBUFFER_BINDING)
     scissored = gl.glIsEnabled(SCISSOR_TEST)
@@ -93,10 +97,11 @@ def _resolved(gl: Any, width: int, height: int) -> Iterator[None]:
     gl.glBindFramebuffer(DRAW_FRAMEBUFFER, framebuffer)
     gl.glFramebufferRenderbuffer(DRAW_FRAMEBUFFER, COLOR_ATTACHMENT0, RENDERBUFFER, colour)
     gl.glDisable(SCISSOR_TEST)
-    gl.glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, COLOR_BUFFER_BIT, GL_NEAREST)
+    area = (left, bottom, left + width, bottom + height)
+    gl.glBlitFramebuffer(*area, 0, 0, width, height, COLOR_BUFFER_BIT, GL_NEAREST)
     gl.glBindFramebuffer(READ_FRAMEBUFFER, framebuffer)
     try:
-        yield
+        yield 0, 0
     finally:
         gl.glBindFramebuffer(READ_FRAMEBUFFER, 0)
         gl.glBindFramebuffer(DRAW_FRAMEBUFFER, drawn_to)

@@ -22,7 +22,7 @@ from domeshim.options import Options
 from domeshim.shading.recipe import Patch, Scene
 from domeshim.state.own_programs import OwnPrograms
 from domeshim.state.perspective import Matrix
-from domeshim.state.placement import Placement, Placer
+from domeshim.state.placement import MainView, Placement, Placer
 from domeshim.state.scene import GROUPS, SceneState
 from domeshim.state.scissor import Edges, edges_of
 from domeshim.state.subdivision import Method, Subdivision, Tolerance, method_of
@@ -53,13 +53,14 @@ class Seen:
 class DomeContext:
     """The dome's side of one GL context."""
 
-    def __init__(self, options: Options, frame: Frame, driver: Driver) -> None:
+    def __init__(self, options: Options, frame: Frame, driver: Driver, main: MainView | None = None) -> None:
+        """main: that of the window around this one, if there is one."""
         self.driver = driver
         self._frame = frame
         self.lens: Lens = lens_of(*options.lens, options.fov)
         self.rim = rim_radius(self.lens, options.fov)
         self.orientation = Orientation.of(options)
-        self.placer = Placer(options)
+        self.placer = Placer(options, main)
         self.scene = SceneState(driver)
         self.own = OwnPrograms(driver, options, self.lens, self.orientation)
         self.compiling = False

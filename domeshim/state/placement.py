@@ -50,6 +50,11 @@ class View:
     """The main view's perspective, filled."""
     viewport: Rectangle
 
+    def moved(self, x: int, y: int) -> View:
+        """The same view from a window whose own place is (-x, -y)."""
+        left, bottom, width, height = self.viewport
+        return View(self.camera, (left + x, bottom + y, width, height))
+
     def direction(self, x: float, y: float) -> NDArray[np.float64]:
         """(3,): where a point of the window is seen, in eye space; its z is -1."""
         vx, vy, w, h = self.viewport
@@ -63,16 +68,26 @@ class View:
         return float(p[2, 3] / (p[2, 2] - z * p[3, 2]) * np.linalg.norm(direction))
 
 
+@dataclass
+class MainView:
+    """The main view of a window and of those inside it; its viewport lies in the outermost one's pixels."""
+
+    view: View | None = None
+
+
 class Placer:
     """Remembers the perspectives that a program sets, and places its draws by them.
 
     Nothing of GL's own state is kept: PROJECTION and the viewport are given at each question.
     """
 
-    def __init__(self, options: Options) -> None:
+    def __init__(self, options: Options, main: MainView | None = None) -> None:
+        """main: that of the window around this one, if there is one."""
         self._options = options
         self._known: list[Matrix] = []
-        self._main: View | None = None
+        self.main = main or MainView()
+        self.fills_dome = False
+        """A main view has been drawn in this window."""
         self.on_modelview = False
         """A perspective went to the MODELVIEW stack: that matrix must be looked at as well."""
 
@@ -96,12 +111,17 @@ class Placer:
 
     def through_window(self, frame: Frame) -> View:
         """The main view, which what is drawn flat is seen through."""
-        return self._main or self._default_view(frame)
+        x, y, width, height = frame.outer
+        if self.main.view is None:
+            p = perspective(self._options.panel, width / height, 1.0, 10.0)
+            assert p is not None
+            return View(p, (x, y, width, height))
+        return self.main.view.moved(x, y)
 
     @property
     def has_perspective(self) -> bool:
         """The program has drawn in perspective: what it draws flat is a HUD."""
-        return self._main is not None
+        return self.main.view is not None
 
     def _in_perspective(
         self, projection: Matrix, whole: Matrix, viewport: Rectangle, frame: Frame
@@ -110,7 +130,9 @@ class Placer:
             return self._flat(viewport, frame)
         p = self._perspective_in(whole)
         camera = self._filled(p)
-        self._main = View(camera, viewport)
+        outer_x, outer_y, _, _ = frame.outer
+        self.main.view = View(camera, viewport).moved(-outer_x, -outer_y)
+        self.fills_dome = True
         depth = depth_range(p).uniform
         if whole is projection and camera is p and np.allclose(projection, p, rtol=1e-6, atol=1e-9):
             return Placement("modelview", _IDENTITY, depth)
@@ -147,13 +169,7 @@ class Placer:
         view = np.zeros((4, 4))
         view[:3] = np.linalg.solve(main.camera[_CAMERA, :3], window)
         view[3, 3] = 1
-        return Placement("panel", tuple(view.T.ravel()), (0.0, 0.0), hud=self._main is not None)
-
-    def _default_view(self, frame: Frame) -> View:
-        width, height = frame.program_size
-        p = perspective(self._options.panel, width / height, 1.0, 10.0)
-        assert p is not None
-        return View(p, (0, 0, width, height))
+        return Placement("panel", tuple(view.T.ravel()), (0.0, 0.0), hud=self.has_perspective)
 
 
 def _is_rigid(turn: NDArray[np.floating]) -> bool:

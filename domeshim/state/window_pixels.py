@@ -11,7 +11,9 @@ from domeshim.draw.clear import PartClear
 from domeshim.lens.projection import disc_of
 from domeshim.options import Options
 from domeshim.state.pointer import Sight
+from domeshim.state.region import Region, region_of
 from domeshim.state.scissor import Edges, in_view
+from domeshim.window.frame import Rectangle
 
 if TYPE_CHECKING:
     from domeshim.state.context import DomeContext
@@ -25,6 +27,8 @@ class WindowPixels:
     def __init__(self, context: DomeContext, options: Options) -> None:
         self._context = context
         self._options = options
+        self._region: tuple[object, Region] | None = None
+        """The last answer, and what it depends on."""
 
     @property
     def placed(self) -> bool:
@@ -56,6 +60,27 @@ class WindowPixels:
         paper = self._options.method == "paper"
         return Sight(view, context.frame, context.lens, context.rim, context.orientation, paper)
 
+    @property
+    def fills_dome(self) -> bool:
+        """The program's window is a main view, though it lies inside another."""
+        frame = self._context.frame
+        return self._context.placer.fills_dome and frame.covers_most((0, 0, *frame.program_size))
+
+    def region(self, part: Rectangle) -> Region | None:
+        """Which pixels of the frame show this part of the program's window; None: none do."""
+        frame, placer = self._context.frame, self._context.placer
+        if self.fills_dome:
+            return Region((0, 0, *frame.size))
+        if placer.has_perspective and self._options.hud == "off":
+            return None
+        if placer.has_perspective and self._options.hud == "flat":
+            return Region(frame.flat(part))
+        sight = self.sight
+        key = (sight.view.camera.tobytes(), sight.view.viewport, frame, part)
+        if self._region is None or self._region[0] != key:
+            self._region = key, region_of(sight, part)
+        return self._region[1]
+
     # Clearing; the context must be undressed.
 
     @property
@@ -83,6 +108,11 @@ class WindowPixels:
         placement, scissor, edges = context.seen.placement, context.seen.scissor, context.seen.edges
         main = context.placer.through_window(context.frame)
         if edges.empty or scissor is None or context.hides(placement):
+            return
+        if placement.hud and self._options.hud == "flat":
+            context.driver.glScissor(*context.frame.flat(scissor))
+            context.driver.glClear(mask)
+            context.driver.glScissor(*scissor)
             return
         if placement.place == "panel":
             edges = Edges(in_view(scissor, main.viewport), (0, 1, 2, 3))

@@ -100,6 +100,10 @@ class Window(ABC):
     def set_visible(self, visible: bool) -> None:
         """Show or hide the window."""
 
+    def put(self, *, highest: bool) -> bool:  # noqa: ARG002 - few screens can
+        """Put the window over all others, or under them; False where the screen does not let a program."""
+        return False
+
     @abstractmethod
     def iconify(self) -> None:
         """Shrink the window to an icon."""
@@ -137,8 +141,10 @@ class Backend(ABC):
         surface: SurfaceFormat,
         events: WindowEvents,
         share: Window | None = None,
+        *,
+        shown: bool = True,
     ) -> Window:
-        """Open a window and make it current.
+        """Open a window and make it current; shown=False: one that is only drawn on.
 
         Raises ScreenError, naming what was tried, where none can be had.
         """

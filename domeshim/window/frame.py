@@ -16,6 +16,15 @@ class Frame:
     """Width and height of the real picture, pixels."""
     program_size: tuple[int, int]
     """Width and height of the program's window, in the program's own pixels."""
+    inside: Rectangle | None = None
+    """Where that window lies in the one around it, if there is one: its own place from the bottom left, and
+    the outer window's width and height."""
+
+    @property
+    def outer(self) -> Rectangle:
+        """The outermost window, in the pixels of the program's window."""
+        x, y, width, height = self.inside or (0, 0, *self.program_size)
+        return -x, -y, width, height
 
     @property
     def square(self) -> Rectangle:
@@ -25,17 +34,22 @@ class Frame:
         return (width - side) // 2, (height - side) // 2, side, side
 
     def covers_most(self, viewport: Rectangle) -> bool:
-        """More than half of the program's window lies in this viewport: it is a main view, not an inset."""
+        """It holds more than half of the outermost window: it is a main view, not an inset."""
         width, height = self.program_size
         x, y, w, h = viewport
         seen = max(0, min(x + w, width) - max(x, 0)) * max(0, min(y + h, height) - max(y, 0))
-        return 2 * seen > width * height
+        return 2 * seen > self.outer[2] * self.outer[3]
 
     def flat(self, viewport: Rectangle) -> Rectangle:
         """The viewport's place where the program's window lies undistorted in the centre square."""
         x0, y0, side, _ = self.square
-        scale = side / max(self.program_size)
-        width, height = self.program_size
+        outer_x, outer_y, width, height = self.outer
+        scale = side / max(width, height)
         left, bottom = x0 + (side - scale * width) / 2, y0 + (side - scale * height) / 2
         x, y, w, h = viewport
-        return round(left + scale * x), round(bottom + scale * y), round(scale * w), round(scale * h)
+        return (
+            round(left + scale * (x - outer_x)),
+            round(bottom + scale * (y - outer_y)),
+            round(scale * w),
+            round(scale * h),
+        )

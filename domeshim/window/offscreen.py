@@ -45,6 +45,8 @@ class OffscreenBackend(Backend):
         surface: SurfaceFormat,
         events: WindowEvents,
         share: Window | None = None,
+        *,
+        shown: bool = True,  # noqa: ARG002 - none is
     ) -> Window:
         """Make a pixel buffer of that size and its context, and make it current.
 
@@ -141,6 +143,10 @@ class OffscreenWindow(Window):
     def set_visible(self, visible: bool) -> None:
         """Tell of it; the buffer exists either way."""
         self.events.visibility_changed(visible)
+
+    def put(self, *, highest: bool) -> bool:  # noqa: ARG002 - no window hides another
+        """Return True: nothing lies over anything."""
+        return True
 
     def iconify(self) -> None:
         """Tell that the window is hidden; the buffer exists either way."""

@@ -15,6 +15,7 @@ from OpenGL.platform import PLATFORM
 
 from domeshim.errors import ScreenError
 from domeshim.window.contract import Backend, SurfaceFormat, Window, WindowEvents
+from domeshim.window.x11 import order_on_x11
 
 _CURSORS = {
     "arrow": glfw.ARROW_CURSOR,
@@ -59,6 +60,8 @@ class ScreenBackend(Backend):
         surface: SurfaceFormat,
         events: WindowEvents,
         share: Window | None = None,
+        *,
+        shown: bool = True,
     ) -> Window:
         """Open a window, with fewer samples or two colour buffers where the driver has nothing nearer.
 
@@ -67,7 +70,7 @@ class ScreenBackend(Backend):
         failures: list[str] = []
         for attempt, really_double in _attempts(surface):
             with _complaints() as said:
-                handle = _create(title, size, attempt, really_double, share)
+                handle = _create(title, size, attempt, really_double, share, shown=shown)
             failures += [words for words in said if words not in failures]
             if handle:
                 window = ScreenWindow(handle, attempt, events)
@@ -163,6 +166,13 @@ class ScreenWindow(Window):
         """Show or hide the window."""
         (glfw.show_window if visible else glfw.hide_window)(self.handle)
         self.events.visibility_changed(visible)
+
+    def put(self, *, highest: bool) -> bool:
+        """Put the window over all others, or under them; False on Wayland, which lets no program do so."""
+        if glfw.get_platform() != glfw.PLATFORM_X11:
+            return False
+        order_on_x11(self.handle, highest=highest)
+        return True
 
     def iconify(self) -> None:
         """Shrink the window to an icon."""
@@ -262,7 +272,13 @@ def _attempts(wanted: SurfaceFormat) -> Iterator[tuple[SurfaceFormat, bool]]:
 
 
 def _create(
-    title: str, size: tuple[int, int], surface: SurfaceFormat, double: bool, share: Window | None
+    title: str,
+    size: tuple[int, int],
+    surface: SurfaceFormat,
+    double: bool,
+    share: Window | None,
+    *,
+    shown: bool,
 ) -> Any:
     glfw.default_window_hints()
     # PyOpenGL asks its own platform which context is current: glfw must make it through the same one.
@@ -271,6 +287,7 @@ def _create(
         glfw.CONTEXT_CREATION_API: glfw.EGL_CONTEXT_API if through_egl else glfw.NATIVE_CONTEXT_API,
         glfw.SCALE_TO_MONITOR: False,
         glfw.SCALE_FRAMEBUFFER: False,
+        glfw.VISIBLE: shown,
         glfw.DOUBLEBUFFER: double,
         glfw.DEPTH_BITS: 24 if surface.depth else 0,
         glfw.STENCIL_BITS: 8 if surface.stencil else 0,

@@ -268,19 +268,6 @@ def test_the_window_answers_for_what_it_holds(window: GlutWindow) -> None:
     assert GLUT.glutLayerGet(GLUT.GLUT_OVERLAY_POSSIBLE) == 0
 
 
-def test_a_subwindow_opens_as_a_window_and_says_so_once(
-    window: GlutWindow, capsys: pytest.CaptureFixture[str]
-) -> None:
-    first = GLUT.glutCreateSubWindow(window.number, 5, 6, 50, 40)
-    GLUT.glutCreateSubWindow(window.number, 5, 6, 50, 40)
-    assert capsys.readouterr().err.count("subwindow") == 1
-    GLUT.glutSetWindow(window.number)
-    assert GLUT.glutGet(GLUT.GLUT_WINDOW_NUM_CHILDREN) == 2
-    GLUT.glutDestroyWindow(window.number)
-    GLUT.glutSetWindow(first)
-    assert "not found" in capsys.readouterr().err
-
-
 def test_game_mode_is_a_window_and_back(window: GlutWindow) -> None:
     GLUT.glutGameModeString("640x480:32@60")
     assert GLUT.glutGameModeGet(GLUT.GLUT_GAME_MODE_WIDTH) == 640
