@@ -85,3 +85,19 @@ class Extent:
         if not nearest > 0:
             return math.pi
         return 2 * math.atan(scale * self.longest / (2 * nearest))
+
+    def least_angle_from(self, direction: Sequence[float], to_eye: Sequence[float]) -> float:
+        """No point is seen closer to a direction than this angle, radians; 0 where in doubt.
+
+        direction: unit vector in eye space; to_eye: as for largest_angle.
+        """
+        matrix = np.reshape(to_eye, (4, 4)).T
+        if matrix[3, :3].any() or matrix[3, 3] <= 0:
+            return 0.0
+        centre = matrix[:3] @ (*self.centre, 1.0)
+        distance = float(np.linalg.norm(centre))
+        radius = self.radius * float(np.linalg.norm(matrix[:3, :3]))
+        if not radius < distance:
+            return 0.0
+        between = math.acos(max(-1.0, min(1.0, float(centre @ np.asarray(direction)) / distance)))
+        return max(0.0, between - math.asin(radius / distance))

@@ -7,7 +7,7 @@ angle does both. An edge is split by what its two ends alone say, so neighbours 
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,18 +15,58 @@ from numpy.typing import NDArray
 from domeshim.record.immediate import Run
 
 _MOST_ROUNDS = 64
+_SHARE = 0.5
+"""How long an edge may be as a share of its angle from straight behind: its pieces are alike then."""
 
 Floats = NDArray[np.floating]
 
 
-def split_wide(run: Run, corners: int, to_eye: Floats, widest: float) -> Run:
-    """Pieces with every edge under an angle, which keep the corners of the primitive that they come from.
+@dataclass(frozen=True)
+class Limit:
+    """Up to what angle an edge may stay whole: less the closer it comes to straight behind, where all bends.
+
+    Angles are in radians.
+    """
+
+    widest: float
+    """For an edge at least one radian away from straight behind."""
+    aft: tuple[float, float, float] = (0.0, 0.0, 1.0)
+    """The direction straight behind, in eye space."""
+    least: float = 1.0
+    """Closer to straight behind than this nothing is drawn; 1: close enough to make no difference."""
+
+    def at(self, behind: float) -> float:
+        """The limit of an edge that is nowhere closer to straight behind than this."""
+        return float(self._near(np.array(behind)))
+
+    def of_edges(self, directions: Floats, angles: Floats) -> Floats:
+        """The limit of each edge, by its ends alone. directions: (m, corners, 3), of its corners.
+
+        angles: (m, edges), corner i to i + 1. An arc is nowhere closer to straight behind than its closer end
+        less half its own angle.
+        """
+        if self.least == 1:
+            return np.full_like(angles, self.widest)
+        behind = _angles_between(directions, np.array(self.aft))
+        closer = np.minimum(behind, np.roll(behind, -1, 1))[:, : angles.shape[1]]
+        return self._near(closer - angles / 2)
+
+    def _near(self, behind: Floats) -> Floats:
+        if self.least == 1:
+            return np.full_like(behind, self.widest)
+        near = np.maximum(behind, self.least)
+        limits: Floats = np.minimum(self.widest * np.minimum(near, 1.0), near * _SHARE)
+        return limits
+
+
+def split_wide(run: Run, corners: int, to_eye: Floats, limit: Limit) -> Run:
+    """Pieces with every edge under its limit, which keep the corners of the primitive that they come from.
 
     run: (n * corners) vertices, primitive after primitive; corners: 2 or 3; to_eye: (4, 4), the run's space
-    to eye space; widest: radians. What has no finite position is left out. The result has two attributes
-    more: "place", each piece's own corners, and "weights", where they lie in the whole primitive.
+    to eye space. What has no finite position is left out. The result has two attributes more: "place", each
+    piece's own corners, and "weights", where they lie in the whole primitive.
     """
-    parents, places, weights = _pieces(run, corners, to_eye, widest)
+    parents, places, weights = _pieces(run, corners, to_eye, limit)
     chosen = (parents[:, None] * corners + np.arange(corners)).ravel()
     attributes = {name: values[chosen] for name, values in run.attributes.items()}
     if corners == 2:
@@ -36,12 +76,12 @@ def split_wide(run: Run, corners: int, to_eye: Floats, widest: float) -> Run:
     return replace(run, positions=run.positions[chosen], attributes=attributes)
 
 
-def triangles_under(run: Run, to_eye: Floats, widest: float, *, flat: bool) -> Run:
+def triangles_under(run: Run, to_eye: Floats, limit: Limit, *, flat: bool) -> Run:
     """The same for triangles, as vertices of their own: all attributes are blended.
 
     flat: what a colour is made of is the third corner's all over a triangle.
     """
-    parents, places, weights = _pieces(run, 3, to_eye, widest)
+    parents, places, weights = _pieces(run, 3, to_eye, limit)
 
     def blended(name: str, values: NDArray[np.float32]) -> NDArray[np.float32]:
         of_corners = values.reshape(-1, 3, values.shape[1])[parents]
@@ -66,7 +106,7 @@ def homogeneous(positions: Floats) -> Floats:
     return positions.astype(float)
 
 
-def _pieces(run: Run, corners: int, to_eye: Floats, widest: float) -> tuple[NDArray[np.intp], Floats, Floats]:
+def _pieces(run: Run, corners: int, to_eye: Floats, limit: Limit) -> tuple[NDArray[np.intp], Floats, Floats]:
     """Each piece's primitive, (m,), its corners, (m, corners, 4), and where those lie in the primitive.
 
     The last are weights of the primitive's corners: (m, corners, corners), the rows of sum 1.
@@ -77,13 +117,13 @@ def _pieces(run: Run, corners: int, to_eye: Floats, widest: float) -> tuple[NDAr
     pieces = np.concatenate([places, weights], -1)[parents]
     done_pieces, done_parents = [], []
     for _ in range(_MOST_ROUNDS):
-        angles, lengths = angles_between(pieces[:, :, :4] @ to_eye.T)
-        wide = angles.max(1, initial=0) > widest
+        angles, limits, lengths = edges_of((pieces[:, :, None, :4] * to_eye).sum(-1), limit)
+        wide = (angles > limits).any(1)
         done_pieces.append(pieces[~wide])
         done_parents.append(parents[~wide])
         if not wide.any():
             break
-        pieces = _halved(pieces[wide], angles[wide].argmax(1), lengths[wide])
+        pieces = _halved(pieces[wide], np.where(angles > limits, angles, 0)[wide].argmax(1), lengths[wide])
         parents = np.tile(parents[wide], 2)
     else:
         done_pieces.append(pieces)
@@ -92,15 +132,20 @@ def _pieces(run: Run, corners: int, to_eye: Floats, widest: float) -> tuple[NDAr
     return np.concatenate(done_parents), all_pieces[:, :, :4], all_pieces[:, :, 4:]
 
 
-def angles_between(eye: Floats) -> tuple[Floats, Floats]:
-    """Angle of each edge, corner i to i + 1, and distance of each corner. eye: (m, corners, 4)."""
+def edges_of(eye: Floats, limit: Limit) -> tuple[Floats, Floats, Floats]:
+    """Each edge's angle and limit, corner i to i + 1, and each corner's distance. eye: (m, corners, 4)."""
     points = np.where(eye[..., 3:] < 0, -eye[..., :3], eye[..., :3])
     lengths = np.linalg.norm(points, axis=-1)
     directions = points / np.maximum(lengths, 1e-300)[..., None]
-    following = np.roll(directions, -1, 1)
-    across = np.linalg.norm(np.cross(directions, following), axis=-1)
-    angles = np.arctan2(across, (directions * following).sum(-1))
-    return (angles[:, :1] if eye.shape[1] == 2 else angles), lengths
+    angles = _angles_between(directions, np.roll(directions, -1, 1))
+    angles = angles[:, :1] if eye.shape[1] == 2 else angles
+    return angles, limit.of_edges(directions, angles), lengths
+
+
+def _angles_between(a: Floats, b: Floats) -> Floats:
+    """Radians between unit vectors, (..., 3)."""
+    angles: Floats = np.arctan2(np.linalg.norm(np.cross(a, b), axis=-1), (a * b).sum(-1))
+    return angles
 
 
 def _halved(pieces: Floats, edge: NDArray[np.integer], lengths: Floats) -> Floats:

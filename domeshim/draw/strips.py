@@ -9,21 +9,24 @@ from __future__ import annotations
 import numpy as np
 
 from domeshim.draw.patches import LINE_STRIP, Indices
-from domeshim.draw.split import Floats, angles_between, homogeneous, makes_color
+from domeshim.draw.split import Floats, Limit, edges_of, homogeneous, makes_color
 from domeshim.lens.weights import line_weights
 from domeshim.record.immediate import Block, Run
 
+_MOST_PIECES = 1 << 14
+"""Of one line: it may pass straight behind, where no number of even pieces would do."""
 
-def line_strips(run: Run, lines: Indices, to_eye: Floats, widest: float, *, flat: bool) -> Run:
-    """Some lines of a run, each cut into pieces that subtend less than an angle, radians.
+
+def line_strips(run: Run, lines: Indices, to_eye: Floats, limit: Limit, *, flat: bool) -> Run:
+    """Some lines of a run, each cut into even pieces within a limit.
 
     lines: (n, 2) indices of the run's vertices; one that begins where the one before ends goes on with its
     strip. to_eye: (4, 4), the run's space to eye space; flat: each line has its second end's colour.
     """
     positions = homogeneous(run.positions)
     lines = lines[np.isfinite(positions[lines]).all((1, 2))]
-    angles, distances = angles_between(positions[lines] @ to_eye.T)
-    pieces = np.maximum(np.ceil(angles[:, 0] / widest), 1).astype(int)
+    angles, limits, distances = edges_of(positions[lines] @ to_eye.T, limit)
+    pieces = np.clip(np.ceil(angles / limits)[:, 0], 1, _MOST_PIECES).astype(int)
     goes_on = lines[1:, 0] == lines[:-1, 1]
     ends = np.append(~goes_on, True)[: len(lines)]
     counts = pieces + ends

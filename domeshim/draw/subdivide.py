@@ -86,21 +86,21 @@ def _draw_patches(
 ) -> None:
     patch = Patch(kind, "geometry" if subdivision.method == "geometry" else "tessellate", subdivision.split)
     if patch.split:
-        piece = split_wide(piece, patch.corners, context.to_eye, subdivision.widest)
+        piece = split_wide(piece, patch.corners, context.to_eye, subdivision.limit)
     drawer.draw_all(patch.mode, piece, partial(context.draw, patch=patch))
 
 
 def _draw_triangles(piece: Run, context: DomeContext, drawer: Drawer) -> None:
     if context.scene.scene().lighting is not None:
         context.say_once("method cpu lights large polygons at more places than their own corners")
-    widest = 1 / context.tolerance.detail
-    piece = triangles_under(drawer.completed(piece), context.to_eye, widest, flat=_flat(context))
+    limit = context.tolerance.limit(1 / context.tolerance.detail)
+    piece = triangles_under(drawer.completed(piece), context.to_eye, limit, flat=_flat(context))
     drawer.draw_all(_TRIANGLES, piece, context.draw)
 
 
 def _draw_strips(run: Run, lines: Indices, context: DomeContext, drawer: Drawer) -> None:
-    widest = 1 / context.tolerance.detail
-    strips = line_strips(drawer.completed(run), lines, context.to_eye, widest, flat=_flat(context))
+    limit = context.tolerance.limit(1 / context.tolerance.detail)
+    strips = line_strips(drawer.completed(run), lines, context.to_eye, limit, flat=_flat(context))
     drawer.draw_whole(strips, context.draw)
 
 

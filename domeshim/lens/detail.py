@@ -6,28 +6,31 @@ from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
+from numpy.typing import NDArray
 
 from domeshim.lens.models import Lens
 from domeshim.lens.orientation import STRAIGHT, Orientation
 from domeshim.lens.projection import disc_of
 
 _STEP = 1e-3
-_CLOSEST_TO_ANTI_AXIS = 0.9 * np.pi
-"""Straight behind every lens is singular: no bound holds there."""
+_CLOSEST = 0.02
+"""The least angle from straight behind at which the bend is looked at, radians; it changes little beyond."""
 
 
 def curvature(lens: Lens, fov: float, orientation: Orientation = STRAIGHT) -> float:
-    """The k of "a chord of angle a is off by at most R k a^2 / 8": the strongest bend of a great circle.
+    """The k of "a chord of angle a is off by at most R k a^2 / 8 b^2": the strongest bend of a great circle.
 
     The largest second derivative of the disc position along great circles within the field of view (fov in
-    degrees), over all places and headings. 1 for an equidistant lens of 180 degrees.
+    degrees), over all places and headings, times b^2; b is the place's angle from straight behind, in
+    radians and at most 1: there every lens is singular, and the bend grows like 1 / b^2. 1 for an
+    equidistant lens of 180 degrees.
     """
     return _curvature(lens, fov, replace(orientation, tilt=0.0, heading=0.0, roll=0.0))
 
 
 @lru_cache(maxsize=16)
 def _curvature(lens: Lens, fov: float, orientation: Orientation) -> float:
-    reach = min(np.radians(fov / 2), _CLOSEST_TO_ANTI_AXIS)
+    reach = min(np.radians(fov / 2), np.pi - _CLOSEST)
     # Around a lens all ways from the axis are alike; from a seat they are not.
     around = np.linspace(0, 2 * np.pi, 48, endpoint=False) if orientation.off_centre else np.zeros(1)
     farthest = np.pi if orientation.off_centre else reach
@@ -47,20 +50,36 @@ def _curvature(lens: Lens, fov: float, orientation: Orientation) -> float:
     second = np.linalg.norm(discs[0] - 2 * discs[1] + discs[2], axis=-1) / _STEP**2
     rays = orientation.aimed(here)
     seen = np.arctan2(np.hypot(rays[..., 0], rays[..., 1]), -rays[..., 2]) <= reach + 1e-9
-    return float(second[seen].max())
+    behind = np.minimum(np.arccos(np.clip(here @ straight_behind(orientation), -1, 1)), 1)
+    return float((second * behind**2)[seen].max())
+
+
+def straight_behind(orientation: Orientation) -> NDArray[np.float64]:
+    """(3,): the unit direction of eye space that the lens has straight behind."""
+    direction = orientation.seen(np.array([0.0, 0.0, 1.0]))
+    return np.asarray(direction / np.linalg.norm(direction))
 
 
 def pieces_per_radian(
     lens: Lens, fov: float, radius: float, tolerance: float, orientation: Orientation = STRAIGHT
 ) -> float:
-    """How many straight pieces an arc of one radian needs; radius of the disc and tolerance in pixels."""
+    """How many straight pieces an arc of one radian needs; radius of the disc and tolerance in pixels.
+
+    It is more by 1 / b where the arc comes closer than one radian to straight behind.
+    """
     return float(np.sqrt(radius * curvature(lens, fov, orientation) / (8 * tolerance)))
 
 
-def farthest(fov: float, detail: float) -> float:
-    """The angle from the axis, radians, up to which primitives are drawn: half of fov, given in degrees.
+def least_from_behind(fov: float, detail: float) -> float:
+    """The angle from straight behind, radians, within which nothing is drawn; fov: in degrees.
 
-    Straight behind there is no direction, and a piece around it would be drawn inside out, over all the disc:
-    the last one and a half pieces before it are left out. detail: pieces an arc of one radian is cut into.
+    What is drawn reaches one piece beyond the rim, which is then cut to the pixel. But straight behind there
+    is no direction, and a piece around it would be drawn inside out, over all the disc: a lens of 360 degrees
+    leaves out about half the tolerance, in pixels of radius. detail: pieces an arc of one radian is cut into.
     """
-    return float(min(np.radians(fov / 2), np.pi - 1.5 / detail))
+    return float(max(np.pi - np.radians(fov / 2) - 1 / detail, min(0.2 / detail**2, 0.05)))
+
+
+def cone(half_angle: float) -> tuple[float, float]:
+    """The uniform domeRim of a cone around straight behind, by its half angle in radians."""
+    return float(np.cos(half_angle)), float(np.sin(half_angle))

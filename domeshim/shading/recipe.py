@@ -108,7 +108,9 @@ class Mapping:
     aim: Literal["straight", "turned", "seated"] = "straight"
     """The snippet in glsl/aim, if any: how the dome stands to the program's view."""
     wide: bool = False
-    """A field of view over 180 degrees: what is left out is a cone, not a half space."""
+    """What is left out behind is a cone, not a half space."""
+    near_behind: bool = False
+    """Places close to straight behind are seen: edges there are cut finer."""
     sides: tuple[int, ...] = ()
     """The scissor's edges that cut a view on the dome: 0 left, 1 right, 2 bottom, 3 top."""
     raster: Literal["point", "nowhere"] | None = None

@@ -6,6 +6,7 @@ the monitor (DESIGN 2.1). The dome's own state is on only while draws follow eac
 
 from __future__ import annotations
 
+import math
 import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -242,9 +243,12 @@ class DomeContext:
         if extent.surely_seen_from(to_eye, self.tolerance.far):
             return None
         angle = extent.largest_angle(to_eye)
+        behind = math.pi
+        if self.tolerance.least < 1:
+            behind = extent.least_angle_from(self.tolerance.aft, to_eye)
         if own is None:
-            return self.tolerance.subdivision(angle, self.scene.scene)
-        if self.tolerance.broken_by(angle) and not own.own_matrices:
+            return self.tolerance.subdivision(angle, behind, self.scene.scene)
+        if self.tolerance.broken_by(angle, behind) and not own.own_matrices:
             self.say_once("long edges drawn by the program's own GLSL stay straight: it is not subdivided")
         return None
 
@@ -351,7 +355,7 @@ class DomeContext:
         else:
             outfit = self._wardrobe.outfit(look)
             self._wear(Dressing(outfit.program.name, outfit.enables, views, outfit.program), seen)
-            self._wardrobe.send(outfit, look, self.tolerance.detail)
+            self._wardrobe.send(outfit, look, self.tolerance)
 
     def _wear(self, dressing: Dressing, seen: Seen) -> None:
         self._worn.put_on(dressing, View(seen.viewport, seen.scissor), self._programs_own)

@@ -8,6 +8,7 @@ from ctypes import c_float
 import numpy as np
 
 from domeshim.driver import Driver
+from domeshim.lens.detail import cone
 from domeshim.lens.models import Lens
 from domeshim.lens.orientation import Orientation
 from domeshim.options import Options
@@ -125,7 +126,7 @@ class OwnPrograms:
         for uniform, values in self._orientation.uniforms:
             own.set(uniform, values)
         if self._landing.wide:
-            own.set("domeRim", (-float(np.cos(self._fov / 2)),))
+            own.set("domeRim", cone(np.pi - self._fov / 2))
         own.set("domeEdges", edges.bounds)
         if not own.cut:
             return ()

@@ -6,8 +6,9 @@ import math
 from collections.abc import Callable
 from typing import Literal, NamedTuple
 
+from domeshim.draw.split import Limit
 from domeshim.driver import Driver
-from domeshim.lens.detail import pieces_per_radian
+from domeshim.lens.detail import least_from_behind, pieces_per_radian, straight_behind
 from domeshim.lens.models import Lens
 from domeshim.lens.orientation import Orientation
 from domeshim.options import Options
@@ -31,14 +32,16 @@ _MOST_PIECES = 60
 """A little under the 64 pieces that every tessellator has."""
 _WIDEST = 1.75
 """Within this angle a triangle's inside follows its edges, radians."""
+_SEATED = 0.25
+"""From a seat off the centre an angle may look this much smaller than it is on the lens."""
 
 
 class Subdivision(NamedTuple):
     """What a mesh needs to keep the tolerance."""
 
     method: Method
-    widest: float
-    """The angle up to which the method draws an edge well, radians."""
+    limit: Limit
+    """Up to what angle the method draws an edge well."""
     split: bool
     """Some edge may be wider, and is to be halved first."""
 
@@ -67,22 +70,41 @@ class Tolerance:
         self._always = options.method in ("tessellate", "geometry")
         radius = frame.square[2] / 2
         self.detail = pieces_per_radian(lens, options.fov, radius, options.tolerance, orientation)
-        """How many pieces an arc of one radian needs."""
-        whole = 0.0 if self._always else min(1 / self.detail, math.pi / 2)
+        """How many pieces an arc of one radian needs that stays one radian away from straight behind."""
+        x, y, z = straight_behind(orientation).tolist()
+        self.aft: tuple[float, float, float] = (x, y, z)
+        """The direction straight behind, in eye space."""
+        self.left_out = least_from_behind(options.fov, self.detail)
+        """The angle from straight behind, radians, within which the lens draws nothing."""
+        self.least = min(self.left_out * (_SEATED if orientation.off_centre else 1.0), 1.0)
+        """The same as the viewer sees it, where it makes edges be cut finer, else 1."""
+        quick = not self._always and self.least == 1
+        whole = min(1 / self.detail, math.pi / 2) if quick else 0.0
         self.far = 0.5 / math.tan(whole / 2) if whole else math.inf
         """From how far an edge of length 1 surely needs nothing, if anything does not."""
 
-    def broken_by(self, angle: float) -> bool:
-        """An edge of this angle, radians, is off by too much as one straight piece."""
-        return angle * self.detail > 1
+    def limit(self, widest: float) -> Limit:
+        """The limit to edges of at most this angle, radians, away from straight behind."""
+        return Limit(widest, self.aft, self.least)
 
-    def subdivision(self, angle: float, scene: Callable[[], Scene]) -> Subdivision | None:
-        """What a mesh needs whose edges subtend at most this angle, radians; scene: tells what is drawn."""
+    def broken_by(self, angle: float, behind: float = math.pi) -> bool:
+        """An edge of this angle is off by too much as one straight piece.
+
+        behind: its least angle from straight behind; both in radians.
+        """
+        return angle * self.detail > max(self.least, min(behind, 1.0))
+
+    def subdivision(self, angle: float, behind: float, scene: Callable[[], Scene]) -> Subdivision | None:
+        """What a mesh needs whose edges subtend at most this angle, and come this close to straight behind.
+
+        angle, behind: radians; scene: tells what is drawn.
+        """
         method = self._method
-        if method is None or not (self._always or self.broken_by(angle)):
+        if method is None or not (self._always or self.broken_by(angle, behind)):
             return None
         most = 1
         if method != "cpu":
             most = _MOST_PIECES if method == "tessellate" else most_pieces(scene(), "triangles")
         widest = min(_WIDEST, most / self.detail)
-        return Subdivision(method, widest, angle > widest)
+        limit = self.limit(widest)
+        return Subdivision(method, limit, angle > limit.at(behind))

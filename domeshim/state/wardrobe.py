@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-
 from domeshim.driver import Driver
-from domeshim.lens.detail import farthest
+from domeshim.lens.detail import cone
 from domeshim.lens.models import Lens
 from domeshim.lens.orientation import Orientation
 from domeshim.options import Options
@@ -20,6 +18,7 @@ from domeshim.shading.tessellation import compose_tessellated
 from domeshim.state.placement import Placement
 from domeshim.state.scene import GL_CLIP_PLANE0, GL_COLOR_SUM
 from domeshim.state.scissor import Edges
+from domeshim.state.subdivision import Tolerance
 
 _VERTEX_PROGRAM_TWO_SIDE, _PROGRAM_POINT_SIZE, _RASTERIZER_DISCARD = 0x8643, 0x8642, 0x8C89
 _SHADE_MODEL, _FLAT = 0x0B54, 0x1D00
@@ -61,7 +60,7 @@ class Wardrobe:
         self._orientation = orientation
         self._programs: dict[Recipe, Program] = {}
         self._outfits: dict[tuple[object, ...], Outfit] = {}
-        self._sent: dict[int, tuple[Placement, Edges, float]] = {}
+        self._sent: dict[int, tuple[Placement, Edges, Tolerance]] = {}
         """What the uniforms of each program say."""
 
     def outfit(self, look: Look) -> Outfit:
@@ -97,20 +96,19 @@ class Wardrobe:
         left_out = look.edges.empty or (self.hides(look.placement) and not look.raster)
         return (_RASTERIZER_DISCARD,) if left_out else ()
 
-    def send(self, outfit: Outfit, look: Look, detail: float) -> None:
-        """Give the outfit's program, which is bound, its uniforms.
-
-        detail: pieces that an arc of one radian needs.
-        """
+    def send(self, outfit: Outfit, look: Look, tolerance: Tolerance) -> None:
+        """Give the outfit's program, which is bound, its uniforms."""
         if look.fragments is not None:
             look.fragments.send_to(outfit.program)
         sent = self._sent.get(outfit.program.name)
-        if sent and sent[0] is look.placement and sent[1] is look.edges and sent[2] == detail:
+        if sent and sent[0] is look.placement and sent[1] is look.edges and sent[2] is tolerance:
             return
-        self._sent[outfit.program.name] = (look.placement, look.edges, detail)
+        self._sent[outfit.program.name] = (look.placement, look.edges, tolerance)
         if look.patch is not None:
-            outfit.program.set("domeDetail", (detail,))
-        for name, values in self._uniforms(outfit.mapping, look, detail):
+            outfit.program.set("domeDetail", (tolerance.detail,))
+            if outfit.mapping.near_behind:
+                outfit.program.set("domeAft", (*tolerance.aft, tolerance.least))
+        for name, values in self._uniforms(outfit.mapping, look, tolerance):
             outfit.program.set(name, values)
 
     def _make(self, look: Look, *, flat: bool, hidden: bool) -> Outfit:
@@ -129,7 +127,8 @@ class Wardrobe:
             lens=self._lens.name,
             place=place,
             aim=self._orientation.aim,
-            wide=self._options.fov > 180,
+            wide=self._options.fov > 180 or self._options.method != "vertex",
+            near_behind=self._options.fov > 180 or self._orientation.off_centre,
             sides=() if place == "panel" else look.edges.inner,
             raster=None if not look.raster else "nowhere" if hidden else "point",
         )
@@ -151,7 +150,9 @@ class Wardrobe:
             attributes=_PIECE if recipe.patch.split else None,
         )
 
-    def _uniforms(self, mapping: Mapping, look: Look, detail: float) -> list[tuple[str, tuple[float, ...]]]:
+    def _uniforms(
+        self, mapping: Mapping, look: Look, tolerance: Tolerance
+    ) -> list[tuple[str, tuple[float, ...]]]:
         uniforms: list[tuple[str, tuple[float, ...]]] = [("domeLens", self._lens.uniform)]
         if mapping.place == "panel" or mapping.sides:
             uniforms.append(("domeEdges", look.edges.bounds))
@@ -160,7 +161,7 @@ class Wardrobe:
         if mapping.place != "panel" and mapping.method == "vertex":
             uniforms.append(("domeDepth", look.placement.depth))
             if mapping.wide:
-                uniforms.append(("domeRim", (-float(np.cos(farthest(self._options.fov, detail))),)))
+                uniforms.append(("domeRim", cone(tolerance.left_out)))
         return [*uniforms, *self._orientation.uniforms]
 
 

@@ -1,7 +1,10 @@
-// Cone around the anti-axis that a lens of more than 180 degrees leaves out: negative inside.
-// domeRim = -cos(fov / 2), or of an angle a little short of straight behind.
-uniform float domeRim;
+// Cone around straight behind that is left out: negative inside.
+// domeRim = (cos, sin) of the cone's half angle. It is |p| sin(angle from straight behind - half angle), which
+// stays exact for the narrowest of cones.
+uniform vec2 domeRim;
 
 float inFront(vec4 p) {
-    return (p.w < 0.0 ? p.z : -p.z) + domeRim * length(p.xyz);
+    float largest = max(abs(p.x), abs(p.y));
+    float rxy = largest > 0.0 ? largest * length(p.xy / largest) : 0.0; // no square may overflow or vanish
+    return domeRim.x * rxy - domeRim.y * (p.w < 0.0 ? -p.z : p.z);
 }

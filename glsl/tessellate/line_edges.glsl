@@ -13,6 +13,6 @@ Edges edgesOf(vec4 end0, vec4 end1) {
     line.angle = angleBetween(d0.xyz, d1.xyz);
     line.distances = vec2(d0.w, d1.w);
     bool reached = reach(p0) >= 0.0 || reach(p1) >= 0.0;
-    line.pieces = reached && min(d0.w, d1.w) > 0.0 && !isnan(line.angle) ? piecesOf(line.angle) : 0.0;
+    line.pieces = reached && min(d0.w, d1.w) > 0.0 && !isnan(line.angle) ? piecesOf(d0.xyz, d1.xyz, line.angle) : 0.0;
     return line;
 }

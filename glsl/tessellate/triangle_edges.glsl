@@ -17,6 +17,7 @@ Edges edgesOf(vec4 corner0, vec4 corner1, vec4 corner2) {
     bool sound = min(min(d0.w, d1.w), d2.w) > 0.0 && !isnan(angles.x + angles.y + angles.z);
     triangle.pieces = vec3(0.0);
     if (reached && sound)
-        triangle.pieces = vec3(piecesOf(angles.x), piecesOf(angles.y), piecesOf(angles.z));
+        triangle.pieces = vec3(
+            piecesOf(d1.xyz, d2.xyz, angles.x), piecesOf(d2.xyz, d0.xyz, angles.y), piecesOf(d0.xyz, d1.xyz, angles.z));
     return triangle;
 }

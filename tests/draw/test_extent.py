@@ -1,6 +1,7 @@
 """The bound on an edge's angle holds for every edge, wherever the mesh is."""
 
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -51,3 +52,22 @@ def test_what_is_far_is_quickly_said():
     assert extent.surely_seen_from(matrix, 4.0)
     assert not extent.surely_seen_from(matrix, 10.0)
     assert not Extent.unknown().surely_seen_from(matrix, 0.0)
+
+
+@given(st.integers(0, 100_000), st.sampled_from([1e-3, 1.0, 1e3]))
+def test_no_point_is_closer_to_a_direction_than_the_bound(seed, scale):
+    random = np.random.default_rng(seed)
+    points = (random.normal(size=(12, 3)) * scale + random.normal(size=3) * 10).astype(np.float32)
+    to_eye = np.eye(4)
+    to_eye[:3] = random.normal(size=(3, 4))
+    aft = random.normal(size=3)
+    aft /= np.linalg.norm(aft)
+    eye = points @ to_eye[:3, :3].T + to_eye[:3, 3]
+    closest = np.arccos((eye @ aft / np.linalg.norm(eye, axis=1)).max().clip(-1, 1))
+    extent = Extent.of(points, 1.0)
+    assert extent.least_angle_from(aft.tolist(), to_eye.T.ravel().tolist()) <= closest + 1e-6
+
+
+def test_the_bound_from_a_direction_is_close_for_a_small_mesh():
+    extent = Extent.of_few([-0.5, 0, -10, 0.5, 0, -10])
+    assert extent.least_angle_from((0, 0, 1), np.eye(4).ravel().tolist()) == pytest.approx(np.pi, abs=0.1)

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from domeshim.draw.split import split_wide
+from domeshim.draw.split import Limit, split_wide
 from domeshim.record.immediate import Run
 
 WIDEST = 1.0
@@ -15,7 +15,7 @@ def split(positions, corners, to_eye=None, **attributes):
     piece = Run(
         np.asarray(positions, np.float32), {n: np.asarray(v, np.float32) for n, v in attributes.items()}, ()
     )
-    return split_wide(piece, corners, np.eye(4) if to_eye is None else to_eye, WIDEST)
+    return split_wide(piece, corners, np.eye(4) if to_eye is None else to_eye, Limit(WIDEST))
 
 
 def places(run):
@@ -78,3 +78,29 @@ def test_what_has_no_finite_place_is_left_out_and_nothing_else():
     run = split([[0, 0, -1], [1, 0, -2], [np.nan, 0, -1], [0, 0, -9], [1, 0, -9], [0, 1, -9]], 3)
     assert len(run.positions) == 3
     assert np.isfinite(run.positions).all()
+
+
+AFT = (0.0, 0.0, 1.0)
+
+
+def behind_and_angles(run):
+    places = run.attributes["place"][:, :3].astype(float)
+    behind = np.arctan2(np.hypot(places[:, 0], places[:, 1]), places[:, 2]).reshape(-1, 3)
+    return behind, edge_angles(run, 3)
+
+
+def test_around_straight_behind_edges_shrink_with_their_distance_from_it():
+    wall = Run(np.array([[-4, -3, 1], [5, -3, 1], [0, 6, 1]], np.float32), {}, ())
+    run = split_wide(wall, 3, np.eye(4), Limit(WIDEST, AFT, 0.01))
+    behind, angles = behind_and_angles(run)
+    closest = np.maximum(np.minimum(behind, np.roll(behind, -1, 1)) - angles / 2, 0.01)
+    assert (angles <= closest * 0.5 + 1e-6).all()
+    assert (behind.max(1) < 0.01).any()  # the piece around it lies wholly in what is left out
+    assert len(run.positions) < 3 * 2000
+
+
+def test_straight_behind_makes_no_difference_where_it_is_not_seen():
+    assert Limit(WIDEST).at(0.0) == WIDEST
+    assert Limit(WIDEST, AFT, 0.01).at(2.5) == WIDEST
+    assert Limit(WIDEST, AFT, 0.01).at(0.1) == pytest.approx(0.05)
+    assert Limit(WIDEST, AFT, 0.01).at(0.0) == pytest.approx(0.005)

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from domeshim.draw.patches import LINE_LOOP, LINE_STRIP, LINES, QUADS, corners, outlines
+from domeshim.draw.split import Limit
 from domeshim.draw.strips import line_strips
 from domeshim.record.immediate import Run
 
@@ -14,7 +15,7 @@ RNG = np.random.default_rng(4)
 def cut(points, lines, *, flat=False, **attributes):
     named = {name: np.asarray(values, np.float32) for name, values in attributes.items()}
     run = Run(np.asarray(points, np.float32), named, ())
-    return line_strips(run, lines, np.eye(4), WIDEST, flat=flat)
+    return line_strips(run, lines, np.eye(4), Limit(WIDEST), flat=flat)
 
 
 def steps(run):

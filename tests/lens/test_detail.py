@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from domeshim.lens.detail import curvature, pieces_per_radian
+from domeshim.lens.detail import cone, curvature, least_from_behind, pieces_per_radian, straight_behind
 from domeshim.lens.models import Equidistant
 from domeshim.lens.orientation import STRAIGHT, Orientation
 from domeshim.lens.projection import disc_of
@@ -29,7 +29,8 @@ def off_in_pixels(lens, orientation):
     directions = arcs(1 / pieces)
     rays = orientation.aimed(directions)
     phi = np.arctan2(np.hypot(rays[..., 0], rays[..., 1]), -rays[..., 2])
-    within = (phi <= min(np.radians(lens.fov / 2), 0.9 * np.pi)).all(0)
+    behind = np.arccos(np.clip(directions @ straight_behind(orientation), -1, 1))
+    within = ((phi <= np.radians(lens.fov / 2)) & (behind > 1)).all(0)
     assert within.sum() > 20
     before, middle, after = disc_of(directions[:, within], lens, orientation)
     return RADIUS * np.linalg.norm(middle - (before + after) / 2, axis=1)
@@ -62,3 +63,33 @@ def test_the_pieces_are_not_shorter_than_they_must_be():
 def test_turning_the_dome_changes_nothing():
     lens = Equidistant(220)
     assert curvature(lens, 220.0, Orientation(40, 50, 60)) == curvature(lens, 220.0)
+
+
+@pytest.mark.parametrize("behind", [2.0, 1.0, 0.3, 0.03])
+def test_no_arc_is_off_by_more_than_the_bound(behind):
+    """Across the meridian, where a great circle bends most: a piece's middle against its chord."""
+    lens, angle = Equidistant(360.0), 0.02 * min(behind, 1)
+    middle = np.array([np.sin(behind), 0.0, np.cos(behind)])
+    ends = [middle * np.cos(angle / 2) + np.array([0, sign * np.sin(angle / 2), 0]) for sign in (-1, 1)]
+    chord = (disc_of(ends[0], lens) + disc_of(ends[1], lens)) / 2
+    off = np.linalg.norm(disc_of(middle, lens) - chord)
+    bound = curvature(lens, 360.0) * angle**2 / 8 / min(behind, 1) ** 2
+    assert 0.2 * bound < off < 1.01 * bound
+
+
+def test_what_is_drawn_reaches_one_piece_beyond_the_rim():
+    assert least_from_behind(180.0, 10.0) == pytest.approx(np.pi / 2 - 0.1)
+    assert least_from_behind(220.0, 10.0) == pytest.approx(np.radians(70) - 0.1)
+
+
+def test_at_360_degrees_less_than_the_tolerance_is_left_out():
+    radius, tolerance = 512.0, 0.5
+    detail = np.sqrt(radius * curvature(Equidistant(360.0), 360.0) / (8 * tolerance))
+    assert 0 < least_from_behind(360.0, detail) / np.pi * radius < tolerance
+
+
+def test_a_cone_narrower_than_single_precision_of_its_cosine_is_still_one():
+    cosine, sine = np.float32(cone(1e-5))
+    assert cosine == 1
+    inside, outside = (cosine * np.sin(a) - sine * np.cos(a) for a in (0.9e-5, 1.1e-5))
+    assert inside < 0 < outside

@@ -4,7 +4,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from domeshim.draw.split import split_wide
+from domeshim.draw.split import Limit, split_wide
 from domeshim.lens.weights import line_weights, triangle_weights
 from domeshim.record.immediate import Run
 
@@ -84,7 +84,7 @@ def test_halving_cuts_an_edge_in_the_middle_of_its_angle_from_either_side(seed):
     angle = float(between(a.astype(float), b.astype(float)))
 
     def halves(*ends):
-        return split_wide(Run(np.stack(ends), {}, ()), 2, np.eye(4), angle * 0.75).attributes
+        return split_wide(Run(np.stack(ends), {}, ()), 2, np.eye(4), Limit(angle * 0.75)).attributes
 
     one, other = halves(a, b), halves(b, a)
     middle = one["place"][1, :3].astype(float)
