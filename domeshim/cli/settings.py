@@ -12,7 +12,7 @@ from domeshim.options import ACCEPTED, LARGEST_SIDE, Options, parse_size
 
 Job = Callable[[], None]
 """What a command found to be done. Run outside of click, which has its own ideas of how a program may end."""
-Command = Callable[..., Job]
+Command = Callable[..., Job | None]
 
 FIELDS = (
     *("config", "preset", "fov", "tilt", "heading", "roll", "seat", "projector", "radius", "lens"),

@@ -1,0 +1,119 @@
+"""domeshim lens: fit a lens to measurements, show one, draw a test card through it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+import numpy as np
+
+from domeshim.cli.settings import dome_options, options_given
+from domeshim.errors import OptionError
+from domeshim.lens.models import lens_of
+from domeshim.lens.pairs import ORDERS, Pair, read_pairs
+
+if TYPE_CHECKING:
+    from domeshim.lens.fit import Fit
+
+_LARGEST_FRACTION = 2.0
+"""Without --size radii are fractions of the disc's: none is larger."""
+_USUAL = 1024
+"""Residuals are told for a disc of so many pixels where the file has fractions."""
+_FILE = click.Path(path_type=Path, dir_okay=False)
+
+
+@click.group()
+def lens() -> None:
+    """Fit a lens to measurements, show one, draw a test card through it."""
+
+
+@lens.command()
+@click.argument("data", type=_FILE)
+@click.option(
+    "--direction",
+    type=click.Choice(list(ORDERS)),
+    default="angle-to-radius",
+    show_default=True,
+    help="What the columns of DATA are where its first line does not name them.",
+)
+@click.option(
+    "--size",
+    metavar="PIXELS",
+    type=click.IntRange(min=2),
+    help="Radii are pixels of a disc with this diameter; without it, fractions of its radius.",
+)
+@click.option("--plot", metavar="FILE", type=_FILE, help="Draw the fit; needs matplotlib.")
+@click.option("--output", metavar="FILE", type=_FILE, help="Write a dome.toml with the lens.")
+def fit(data: Path, direction: str, size: int | None, plot: Path | None, output: Path | None) -> None:
+    """Find C1 to C5 of a lens from measured pairs of an angle (degrees) and a radius."""
+    from domeshim.lens.fit import FitError  # noqa: PLC0415 - show has no use for it
+    from domeshim.lens.fit import fit as fitted  # noqa: PLC0415
+
+    try:
+        found = fitted(_fractions(read_pairs(data, direction), size))
+    except FitError as error:
+        raise OptionError(f"{data}: {error}") from None
+    except ValueError as error:
+        raise OptionError(f"{data}: {error}; accepted: two columns, angle in degrees and radius") from None
+    pixels = (size or _USUAL) / 2
+    click.echo(f"DOME_LENS={found.setting}")
+    click.echo(f"DOME_FOV={found.fov:g}")
+    click.echo(_summary(found, pixels))
+    if output is not None:
+        _write(output, f"# {data.name}: {_summary(found, pixels)}\n{_settings(found)}")
+    if plot is not None:
+        from domeshim.lens.plot import plot_fit  # noqa: PLC0415 - matplotlib, where it is wanted
+
+        plot_fit(found, pixels, f"{data.name}: {_summary(found, pixels)}", plot)
+
+
+def _fractions(pairs: list[Pair], size: int | None) -> list[Pair]:
+    if size is not None:
+        return [replace(pair, radius=pair.radius / (size / 2)) for pair in pairs]
+    for pair in pairs:
+        if pair.radius > _LARGEST_FRACTION:
+            raise ValueError(f"{pair.place}: a radius of {pair.radius:g}; if it is in pixels, give --size")
+    return pairs
+
+
+def _summary(found: Fit, pixels: float) -> str:
+    mean = pixels * float(np.sqrt(np.mean(found.residuals**2)))
+    largest = pixels * float(np.abs(found.residuals).max())
+    return (
+        f"{len(found.pairs)} pairs, off by {mean:.3g} pixels (root mean square) and {largest:.3g} at most "
+        f"(disc of {2 * pixels:g})"
+    )
+
+
+def _settings(found: Fit) -> str:
+    return f'lens = "{found.setting}"\nfov = {found.fov:g}\n'
+
+
+def _write(output: Path, text: str) -> None:
+    try:
+        output.parent.mkdir(parents=True, exist_ok=True)
+        output.write_text(text, "utf-8")
+    except OSError as error:
+        raise OptionError(f"--output={output}: {error.strerror}; accepted: a file to write") from None
+
+
+@lens.command()
+@click.argument("model", metavar="[LENS]", required=False)
+@dome_options(("fov", "config", "preset"))
+@click.option("--plot", metavar="FILE", type=_FILE, help="Draw radius and slope; needs matplotlib.")
+def show(model: str | None, plot: Path | None, **given: str | None) -> None:
+    """Show a lens: the radius of each angle, and its slope. LENS is written as in DOME_LENS."""
+    options = options_given(False, {**given, "lens": model})
+    chosen = lens_of(*options.lens, options.fov)
+    angles = np.append(np.arange(0.0, options.fov / 2, 5.0 if options.fov <= 120 else 10.0), options.fov / 2)
+    radii, slopes = chosen.radius(np.radians(angles)), np.radians(chosen.slope(np.radians(angles)))
+    even = 2 / options.fov
+    click.echo("  angle   radius   a degree   of equidistant")
+    for angle, radius, slope in zip(angles, radii, slopes, strict=True):
+        click.echo(f"{angle:7.2f}{radius:9.5f}{slope:11.6f}{slope / even:17.3f}")
+    if plot is not None:
+        from domeshim.lens.plot import plot_lens  # noqa: PLC0415 - matplotlib, where it is wanted
+
+        plot_lens(chosen, f"{options.lens[0]}, {options.fov:g} degrees", plot)
