@@ -27,8 +27,8 @@ from OpenGL.constant import Constant
 
 from domeshim import startup
 from domeshim.GLUT.callbacks import (
-    glutButtonBoxFunc, glutCloseFunc, glutDialsFunc, glutDisplayFunc, glutEntryFunc, glutForceJoystickFunc,
-    glutIgnoreKeyRepeat, glutJoystickFunc, glutKeyboardFunc, glutKeyboardUpFunc, glutMotionFunc,
+    glutButtonBoxFunc, glutCloseFunc, glutDialsFunc, glutDisplayFunc, glutEntryFunc, glutIgnoreKeyRepeat,
+    glutKeyboardFunc, glutKeyboardUpFunc, glutMotionFunc,
     glutMouseFunc, glutMouseWheelFunc, glutOverlayDisplayFunc, glutPassiveMotionFunc, glutPositionFunc,
     glutReshapeFunc, glutSetKeyRepeat, glutSpaceballButtonFunc, glutSpaceballMotionFunc,
     glutSpaceballRotateFunc, glutSpecialFunc, glutSpecialUpFunc, glutTabletButtonFunc, glutTabletMotionFunc,
@@ -94,6 +94,9 @@ from domeshim.GLUT.fonts import (
 from domeshim.GLUT.initialise import (
     glutInit, glutInitContextFlags, glutInitContextProfile, glutInitContextVersion, glutInitDisplayMode,
     glutInitDisplayString, glutInitErrorFunc, glutInitWarningFunc, glutInitWindowPosition, glutInitWindowSize,
+)
+from domeshim.GLUT.joystick import (
+    glutForceJoystickFunc, glutJoystickFunc,
 )
 from domeshim.GLUT.mainloop import (
     glutCheckLoop, glutExit, glutIdleFunc, glutLeaveMainLoop, glutMainLoop, glutMainLoopEvent,

@@ -1,7 +1,7 @@
 """glut...Func: which of the program's functions hears of what, window by window.
 
-None takes a callback back. Spaceballs, dials, button boxes, tablets and joysticks can be registered for as
-ever; they are not served, and glutDeviceGet says that there are none.
+None takes a callback back. Spaceballs, dials, button boxes and tablets can be registered for as ever; they
+are not served, and glutDeviceGet says that there are none.
 """
 
 from __future__ import annotations
@@ -108,17 +108,6 @@ def glutWMCloseFunc(function: Any) -> Any:
 def glutOverlayDisplayFunc(function: Any) -> Any:
     """Register a function for the overlay; there are no overlays, so it is never called."""
     return _register("glutOverlayDisplayFunc", "overlay_display", function)
-
-
-def glutJoystickFunc(function: Any, pollInterval: Any = 0) -> Any:
-    """Register a function for a joystick; never called, see above."""
-    integer("glutJoystickFunc", "pollInterval", pollInterval)
-    return _register("glutJoystickFunc", "joystick", function)
-
-
-def glutForceJoystickFunc() -> None:
-    """Do nothing: there is no joystick to ask."""
-    current_window("glutForceJoystickFunc")
 
 
 def glutSpaceballMotionFunc(function: Any) -> Any:

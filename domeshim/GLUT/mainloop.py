@@ -11,6 +11,7 @@ from domeshim.GLUT.arguments import callback, integer
 from domeshim.GLUT.closing import close_all, close_marked, closing_action
 from domeshim.GLUT.dispatch import call, make_current
 from domeshim.GLUT.families import shown
+from domeshim.GLUT.joystick import next_joystick_time, tell_of_joysticks
 from domeshim.GLUT.popup import draw_open_menu
 from domeshim.GLUT.reactions import dispatch_events
 from domeshim.GLUT.state import GlutState, GlutWindow, Timer, current_window, glut_state, initialised_state
@@ -109,6 +110,7 @@ def glutSwapBuffers() -> None:
 def _round(state: GlutState, wait: float) -> None:
     sessions.current().backend.poll(wait)
     dispatch_events(state)
+    tell_of_joysticks(state)
     _fire_timers(state)
     for window in list(state.windows.values()):
         if window.redisplay and shown(state, window) and window.number in state.windows:
@@ -158,9 +160,9 @@ def _wait(state: GlutState) -> float:
     clock = sessions.current().clock
     if clock.virtual or state.idle is not None or _work_pending(state):
         return 0.0
-    if state.timers:
-        return min(max(state.timers[0].due - clock.now(), 0.0), LONGEST_WAIT)
-    return LONGEST_WAIT
+    moments = [state.timers[0].due if state.timers else None, next_joystick_time(state)]
+    waits = [max(moment - clock.now(), 0.0) for moment in moments if moment is not None]
+    return min([*waits, LONGEST_WAIT])
 
 
 def _work_pending(state: GlutState) -> bool:

@@ -10,6 +10,7 @@ from typing import Any
 from domeshim import session as sessions
 from domeshim.GLUT import constants as c
 from domeshim.GLUT.arguments import integer, text
+from domeshim.GLUT.joystick import joysticks
 from domeshim.GLUT.state import GlutState, GlutWindow, glut_state, initialised_state
 
 _GL_SIZES = {
@@ -65,6 +66,7 @@ _OF_STATE: dict[int, Callable[[GlutState], int]] = {
     c.GLUT_MENU_NUM_ITEMS: lambda state: len(state.menu.items) if state.menu else 0,
     c.GLUT_ACTION_ON_WINDOW_CLOSE: lambda state: state.options.get(c.GLUT_ACTION_ON_WINDOW_CLOSE, 0),
     c.GLUT_RENDERING_CONTEXT: lambda state: state.options.get(c.GLUT_RENDERING_CONTEXT, 0),
+    c.GLUT_MULTISAMPLE: lambda state: state.samples,
     c.GLUT_VERSION: lambda _: 30400,
 }
 _DEVICES = {
@@ -73,16 +75,22 @@ _DEVICES = {
     c.GLUT_HAS_SPACEBALL: 0,
     c.GLUT_HAS_DIAL_AND_BUTTON_BOX: 0,
     c.GLUT_HAS_TABLET: 0,
-    c.GLUT_HAS_JOYSTICK: 0,
-    c.GLUT_OWNS_JOYSTICK: 0,
     c.GLUT_NUM_MOUSE_BUTTONS: 8,  # as many as glfw tells apart
     c.GLUT_NUM_SPACEBALL_BUTTONS: 0,
     c.GLUT_NUM_BUTTON_BOX_BUTTONS: 0,
     c.GLUT_NUM_DIALS: 0,
     c.GLUT_NUM_TABLET_BUTTONS: 0,
-    c.GLUT_JOYSTICK_BUTTONS: 0,
-    c.GLUT_JOYSTICK_AXES: 0,
-    c.GLUT_JOYSTICK_POLL_RATE: 0,
+}
+_DEVICES_NOW: dict[int, Callable[[GlutState], int]] = {
+    c.GLUT_DEVICE_KEY_REPEAT: lambda state: state.key_repeat,
+    c.GLUT_DEVICE_IGNORE_KEY_REPEAT: lambda state: int(state.current.ignore_repeat) if state.current else 0,
+    c.GLUT_HAS_JOYSTICK: lambda _: int(bool(joysticks())),
+    c.GLUT_OWNS_JOYSTICK: lambda state: int(state.owns_joystick),
+    c.GLUT_JOYSTICK_BUTTONS: lambda _: max((len(j.buttons) for j in joysticks()), default=0),
+    c.GLUT_JOYSTICK_AXES: lambda _: max((len(j.axes) for j in joysticks()), default=0),
+    c.GLUT_JOYSTICK_POLL_RATE: lambda state: (
+        round(1000 * state.current.joystick_interval) if state.current else 0
+    ),
 }
 _LAYERS = {
     c.GLUT_OVERLAY_POSSIBLE: 0,
@@ -149,10 +157,8 @@ def glutDeviceGet(query: Any) -> int:
     """Return what there is of keyboards, mice and rarer things; -1 for an unknown query."""
     state = initialised_state("glutDeviceGet")
     number = integer("glutDeviceGet", "query", query)
-    if number == c.GLUT_DEVICE_KEY_REPEAT:
-        return state.key_repeat
-    if number == c.GLUT_DEVICE_IGNORE_KEY_REPEAT:
-        return int(state.current.ignore_repeat) if state.current else 0
+    if number in _DEVICES_NOW:
+        return _DEVICES_NOW[number](state)
     if number in _DEVICES:
         return _DEVICES[number]
     state.warn(f"glutDeviceGet(): missing enum handle {number}")

@@ -37,6 +37,10 @@ class GlutWindow:
     callbacks: dict[str, Callback] = field(default_factory=dict)
     menus: dict[int, int] = field(default_factory=dict)
     """Which menu opens on which of GLUT's mouse buttons."""
+    joystick_interval: float = 0.0
+    """Seconds after which its joystick callback is called again; 0: never by itself."""
+    joystick_due: float = 0.0
+    """When that is next, on the session's clock."""
     redisplay: bool = False
     visible: bool = True
     full_screen: bool = False
@@ -120,6 +124,8 @@ class GlutState:
     """What is drawn over a window while a menu is open, or None."""
     modifiers: int | None = None
     """The modifier keys of the event whose callback runs, or None outside those callbacks."""
+    owns_joystick: bool = False
+    """The program has asked for joysticks."""
     key_repeat: int = c.GLUT_KEY_REPEAT_ON
     game_mode: dict[str, int] = field(default_factory=dict)
     game_window: GlutWindow | None = None

@@ -23,6 +23,16 @@ class SurfaceFormat:
     samples: int = 0
 
 
+@dataclass(frozen=True)
+class Joystick:
+    """A joystick or gamepad as it stands now."""
+
+    axes: tuple[float, ...]
+    """-1 (left, away from the user) to 1 each."""
+    buttons: tuple[bool, ...]
+    """Which are held."""
+
+
 class WindowEvents:
     """What a window reports; the receiver overrides what it wants. Pixels, origin at the top left."""
 
@@ -152,6 +162,11 @@ class Backend(ABC):
     @abstractmethod
     def poll(self, timeout: float) -> None:
         """Deliver what happened to the windows' events; wait at most so many seconds for something."""
+
+    @property
+    def joysticks(self) -> tuple[Joystick, ...]:
+        """Those that are plugged in; none where nobody plays."""
+        return ()
 
     @property
     @abstractmethod

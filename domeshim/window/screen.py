@@ -14,7 +14,7 @@ from OpenGL import GL
 from OpenGL.platform import PLATFORM
 
 from domeshim.errors import ScreenError
-from domeshim.window.contract import Backend, SurfaceFormat, Window, WindowEvents
+from domeshim.window.contract import Backend, Joystick, SurfaceFormat, Window, WindowEvents
 from domeshim.window.x11 import order_on_x11
 
 _CURSORS = {
@@ -43,6 +43,7 @@ class ScreenBackend(Backend):
         for platform in (glfw.PLATFORM_X11, glfw.PLATFORM_WAYLAND, glfw.ANY_PLATFORM):
             with _complaints() as said:
                 glfw.init_hint(glfw.PLATFORM, platform)
+                glfw.init_hint(glfw.JOYSTICK_HAT_BUTTONS, False)
                 if glfw.init():
                     self._windows: list[ScreenWindow] = []
                     return
@@ -86,6 +87,17 @@ class ScreenBackend(Backend):
             glfw.wait_events_timeout(timeout)
         else:
             glfw.poll_events()
+
+    @property
+    def joysticks(self) -> tuple[Joystick, ...]:
+        """Those that are plugged in."""
+        found = []
+        for number in filter(glfw.joystick_present, range(glfw.JOYSTICK_1, glfw.JOYSTICK_LAST + 1)):
+            axes, axis_count = glfw.get_joystick_axes(number)
+            buttons, button_count = glfw.get_joystick_buttons(number)
+            held = tuple(buttons[k] == glfw.PRESS for k in range(button_count))
+            found.append(Joystick(tuple(float(axes[k]) for k in range(axis_count)), held))
+        return tuple(found)
 
     @property
     def screen_size(self) -> tuple[int, int]:

@@ -271,3 +271,39 @@ def test_a_display_that_is_not_there_is_one_line(tmp_path: Path) -> None:
     done = run_on_screen(tmp_path, FULL.format(display=5))
     assert done.returncode == 1
     assert done.stderr == "domeshim (foo): ERROR: there is no display 5: 1 found, counted from 0\n"
+
+
+@needs_xvfb
+def test_a_window_is_put_under_others_and_over_them(tmp_path: Path) -> None:
+    source = """
+    import ctypes
+    from domeshim.GLUT import *
+    from domeshim.session import current
+    import glfw
+
+    def order():
+        x11 = ctypes.CDLL("libX11.so.6")
+        display = ctypes.c_void_p(glfw.get_x11_display())
+        x11.XDefaultRootWindow.restype = ctypes.c_ulong
+        root, parent, count = ctypes.c_ulong(), ctypes.c_ulong(), ctypes.c_uint()
+        children = ctypes.POINTER(ctypes.c_ulong)()
+        top = ctypes.c_ulong(x11.XDefaultRootWindow(display))
+        found = (ctypes.byref(value) for value in (root, parent, children, count))
+        x11.XQueryTree(display, top, *found)
+        numbers = {glfw.get_x11_window(w.surface.handle): n for n, w in current().glut.windows.items()}
+        return [numbers[children[k]] for k in range(count.value) if children[k] in numbers]
+
+    glutInit()
+    for title in "abc":
+        glutCreateWindow(title)
+        glutDisplayFunc(lambda: None)
+    glutMainLoopEvent()
+    glutSetWindow(3)
+    glutPushWindow()
+    print(order())
+    glutSetWindow(1)
+    glutPopWindow()
+    print(order())
+    """
+    done = run_on_screen(tmp_path, source)
+    assert done.stdout.splitlines() == ["[3, 1, 2]", "[3, 2, 1]"], done.stderr
