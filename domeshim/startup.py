@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 from domeshim.errors import DomeError, OptionError
 from domeshim.intercept import toolkits
 from domeshim.intercept.finder import EXTENSIONS, ImportFinder
+from domeshim.intercept.inner import PUBLIC
 from domeshim.session import Session, begin, current
 
 if TYPE_CHECKING:
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
 
     from domeshim.intercept.overlay import Overlay
 
-WATCHED = ("OpenGL.GL", "OpenGL.GLU", "OpenGL.GLUT", *toolkits.WATCHED)
+WATCHED = ("OpenGL.GL", "OpenGL.GLU", "OpenGL.GLUT", *PUBLIC, *toolkits.WATCHED)
 """The modules under domeshim, by name: a program may carry its own copy of PyOpenGL."""
 
 

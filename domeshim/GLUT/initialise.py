@@ -58,7 +58,7 @@ def _words(args: tuple[Any, ...]) -> list[str]:
             raise ValueError(f"glutInit: {count} arguments were announced, {len(args)} given")
     elif args and not isinstance(args[0], str | bytes):
         args = tuple(args[0])
-    return [text("glutInit", "argument", word) for word in args]
+    return [text("glutInit", "argument", word if isinstance(word, bytes) else str(word)) for word in args]
 
 
 def _without_options(state: GlutState, words: list[str]) -> list[str]:

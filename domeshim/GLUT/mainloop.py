@@ -92,19 +92,12 @@ def glutIdleFunc(function: Any) -> Any:
     return function
 
 
-def glutSwapBuffers() -> None:
-    """Show the current window's picture."""
+def glutSwapBuffers(*_more: object) -> None:
+    """Show the current window's picture, which is finished also where there is but one buffer."""
     window = current_window("glutSwapBuffers")
-    session = sessions.current()
-    if window.surface.format.double_buffer:
-        if not window.children:  # else it is drawn over all of them
-            draw_open_menu(glut_state(), window)
-        session.swapped(window.surface)
-    else:
-        from OpenGL import GL  # noqa: PLC0415 - its functions as they are overlaid now
-
-        GL.glFlush()
-        session.flushed()
+    if window.surface.format.double_buffer and not window.children:  # else the menu is drawn over all of them
+        draw_open_menu(glut_state(), window)
+    sessions.current().swapped(window.surface)
 
 
 def _round(state: GlutState, wait: float) -> None:

@@ -208,7 +208,7 @@ def glutWarpPointer(x: Any, y: Any) -> None:
     window.surface.warp_pointer(*frame_pointer(window, *place))
 
 
-def glutPostRedisplay() -> None:
+def glutPostRedisplay(*_more: object) -> None:
     """Have the current window's display callback called in the next round of the main loop."""
     current_window("glutPostRedisplay").redisplay = True
 

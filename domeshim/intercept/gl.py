@@ -43,6 +43,10 @@ Call = Callable[..., Any]
 Maker = Callable[[Dome, Call], Call]
 
 _DRAWS = re.compile(r"gl(Draw(Arrays|Elements|RangeElements)\w*|MultiDraw\w+|EvalMesh[12])")
+_BEGINS_DRAWING = re.compile(
+    r"gl(Begin|Rect[dfis]v?|Draw(Arrays|Elements|RangeElements|Pixels)\w*|MultiDraw\w+|EvalMesh[12]|CallLists?"
+    r"|Bitmap|CopyPixels)"
+)
 _AT_RASTER = re.compile(r"gl(Bitmap|DrawPixels\w*|CopyPixels)")
 _RASTER_POSITIONS = re.compile(r"glRasterPos\d?[dfis]?v?")
 _WINDOW_POSITIONS = re.compile(r"glWindowPos\d[dfis]v?")
@@ -63,7 +67,9 @@ def replacements(session: Session, module: ModuleType) -> dict[str, Call]:
     """Our function for each name of OpenGL.GL that means something to the session, or to its dome."""
     ours = _frame_calls(session, module)
     dome = session.dome
-    if isinstance(dome, Dome):
+    if not isinstance(dome, Dome):
+        ours |= drawing_calls(session, module, _BEGINS_DRAWING)
+    else:
         for name, original in vars(module).items():
             if name.startswith("gl") and callable(original) and not _UNSEEN.fullmatch(name):
                 ours[name] = _dome_call(dome, name, ours.get(name, original))
@@ -82,7 +88,7 @@ def _frame_calls(session: Session, module: ModuleType) -> dict[str, Call]:
     }
 
     def ending(original: Call) -> Call:
-        def call() -> None:
+        def call(*_more: object) -> None:
             original()
             session.flushed()
 
@@ -91,7 +97,7 @@ def _frame_calls(session: Session, module: ModuleType) -> dict[str, Call]:
     accumulation = Accumulation(Driver())
 
     def clearing(original: Call) -> Call:
-        def call(mask: int) -> None:
+        def call(mask: int, *_more: object) -> None:
             session.clearing()
             original(mask)
             if mask & ACCUMULATION_BIT and session.window is not None and accumulation.needed:
@@ -111,6 +117,19 @@ def _frame_calls(session: Session, module: ModuleType) -> dict[str, Call]:
 
     makers = {"glClear": clearing, "glAccum": accumulating}
     return {name: makers.get(name, ending)(original) for name, original in originals.items()}
+
+
+def drawing_calls(session: Session, module: ModuleType, names: re.Pattern[str]) -> dict[str, Call]:
+    """The calls that draw, where there is no dome which would tell the session of them."""
+
+    def drawing(original: Call) -> Call:
+        def call(*args: Any, **named: Any) -> Any:
+            session.drawing()
+            return original(*args, **named)
+
+        return call
+
+    return {name: drawing(call) for name, call in vars(module).items() if names.fullmatch(name)}
 
 
 def _dome_call(dome: Dome, name: str, original: Call) -> Call:

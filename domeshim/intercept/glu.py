@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
@@ -22,7 +23,7 @@ def replacements(session: Session, module: ModuleType) -> dict[str, Call]:
     """Our function for each name of OpenGL.GLU that means something to the dome."""
     dome = session.dome
     if not isinstance(dome, Dome):
-        return {}
+        return gl.drawing_calls(session, module, _DRAWS)
     ours = {
         name: gl.after_recorded(dome, name, _CALLS[name](dome, original) if name in _CALLS else original)
         for name, original in vars(module).items()
@@ -40,6 +41,7 @@ def _perspective(dome: Dome, original: Call) -> Call:
     return call
 
 
+_DRAWS = re.compile(r"glu(Sphere|Cylinder|Disk|PartialDisk|EndCurve|EndSurface)")
 _UNSEEN = frozenset(("gluErrorString", "gluGetString", "gluNewQuadric", "gluNewTess", "gluNewNurbsRenderer"))
 _CALLS: Mapping[str, Callable[[Dome, Call], Call]] = {
     "gluPerspective": kept_in_lists(_perspective),

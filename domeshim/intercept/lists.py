@@ -61,7 +61,7 @@ def end_list(dome: Dome, original: Call) -> Call:
 def call_list(dome: Dome, original: Call) -> Call:
     """glCallList."""
 
-    def call(name: int) -> Any:
+    def call(name: int, *_more: object) -> Any:
         if dome.context is None or dome.lists is None:
             return original(name)
         dome.drawing()

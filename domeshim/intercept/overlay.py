@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import importlib
 import sys
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from domeshim.intercept.finder import EXTENSIONS
+from domeshim.intercept.inner import PUBLIC, InnerModules
 from domeshim.intercept.toolkits import WATCHED, Toolkits
 
 if TYPE_CHECKING:
@@ -30,14 +32,23 @@ class Overlay:
         self._ours: dict[int, tuple[Any, Any]] = {}
         self._laid: dict[int, Any] = {}
         self._rebound: list[tuple[dict[str, Any], str, Any]] = []
+        self._inner = InnerModules()
 
     def module_imported(self, name: str, module: ModuleType) -> None:
         """A watched module has been imported: lay our names over its own."""
         if name in self._originals or (name.startswith(EXTENSIONS) and _GL not in self._originals):
             return  # an extension that OpenGL.GL itself imports is covered after it
+        if name in PUBLIC:
+            if PUBLIC[name] not in sys.modules:
+                importlib.import_module(PUBLIC[name])  # it comes here in turn
+            return
         self._cover(name, module)
         for extension in _loaded_extensions() if name == _GL else ():
             self._cover(extension.__name__, extension)
+        for original, ours in self._inner.cover(
+            name, {key: vars(module)[key] for key in self._originals[name]}
+        ):
+            self._ours.setdefault(id(original), (original, ours))
         self._rebind()
 
     def _cover(self, name: str, module: ModuleType) -> None:
@@ -61,6 +72,7 @@ class Overlay:
                     setattr(module, key, original)
         for namespace, key, original in self._rebound:
             namespace[key] = original
+        self._inner.remove()
         self._originals.clear()
         self._ours.clear()
         self._laid.clear()

@@ -54,7 +54,7 @@ def _numbers(args: tuple[Any, ...]) -> list[float]:
 def clear(dome: Dome, original: Call) -> Call:
     """glClear, also within a scissor rectangle."""
 
-    def call(mask: int) -> Any:
+    def call(mask: int, *_more: object) -> Any:
         context = dome.context
         if context is None:
             return original(mask)

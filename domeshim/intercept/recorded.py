@@ -47,7 +47,7 @@ def rectangle(dome: Dome, *, vector: bool) -> Call:
     """glRect."""
     recorder = dome.recorder
 
-    def corners(x1: float, y1: float, x2: float, y2: float) -> None:
+    def corners(x1: float, y1: float, x2: float, y2: float, *_more: object) -> None:
         if recorder.block is not None:
             refuse(dome)
             return

@@ -49,6 +49,8 @@ class Setter:
     vector: bool
     scale: float
     offset: float
+    bytes_as: tuple[float, ...] = ()
+    """Where values are bytes: what each of the 256 means; an integer beyond them wraps, as in C."""
 
 
 def setter(name: str) -> Setter | None:
@@ -71,7 +73,13 @@ def setter(name: str) -> Setter | None:
         match["vector"] == "v",
         scale,
         offset,
+        _bytes(kind, scale, offset) if what in _NORMALISED and kind in ("b", "ub") else (),
     )
+
+
+def _bytes(kind: str, scale: float, offset: float) -> tuple[float, ...]:
+    signed = 256 if kind == "b" else 0
+    return tuple(scale * (v - signed if v > 127 else v) + offset for v in range(256))
 
 
 _MATERIAL = re.compile(r"glMaterial(?P<type>[if]?)v?")

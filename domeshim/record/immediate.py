@@ -1,5 +1,7 @@
 """What the program draws by glBegin..glEnd, gathered until something else happens to GL.
 
+PyOpenGL passes over arguments too many (glColor3f with an alpha), so the functions here do.
+
 A recorded vertex costs a tenth of a PyOpenGL call. Attributes are kept as events, (vertex, values), so that
 a colour set once costs once; blocks that follow each other become one draw.
 """
@@ -206,13 +208,13 @@ class Immediate:
     def _vertex(self, setter: Setter) -> Call:
         positions, extend, w = self.positions, self.positions.extend, self._w
 
-        def vertex2(x: float, y: float) -> None:
+        def vertex2(x: float, y: float, *_more: object) -> None:
             extend((x, y, 0.0))
 
-        def vertex3(x: float, y: float, z: float) -> None:
+        def vertex3(x: float, y: float, z: float, *_more: object) -> None:
             extend((x, y, z))
 
-        def vertex4(x: float, y: float, z: float, homogeneous: float) -> None:
+        def vertex4(x: float, y: float, z: float, homogeneous: float, *_more: object) -> None:
             if homogeneous != 1:
                 w[len(positions) // 3] = homogeneous
             extend((x, y, z))
@@ -222,40 +224,52 @@ class Immediate:
 
     def _attribute(self, setter: Setter, events: Events) -> Call:
         positions, mark, extend = self.positions, events.places.append, events.values.extend
-        scale, offset = setter.scale, setter.offset
+        scale, offset, most = setter.scale, setter.offset, setter.count or events.size
         default = DEFAULTS[setter.attribute]
         note = self.rare.append
 
         def rarely(*values: float) -> None:
+            values = values[:most]
             note(None)
             mark(len(positions))
             extend([scale * v + offset for v in values])
             extend(default[len(values) :])
 
-        def three(x: float, y: float, z: float) -> None:
+        def three(x: float, y: float, z: float, *_more: object) -> None:
             mark(len(positions))
             extend((x, y, z))
 
-        def color3(r: float, g: float, b: float) -> None:
+        def color3(r: float, g: float, b: float, *_more: object) -> None:
             mark(len(positions))
             extend((r, g, b, 1.0))
 
-        def texture2(s: float, t: float) -> None:
+        def texture2(s: float, t: float, *_more: object) -> None:
             mark(len(positions))
             extend((s, t, 0.0, 1.0))
 
         def scaled(*values: float) -> None:
+            values = values[:most]
             mark(len(positions))
             extend([scale * v + offset for v in values])
             extend(default[len(values) :])
 
+        def in_bytes(*values: int) -> None:
+            values = values[:most]
+            mark(len(positions))
+            extend([table[v & 255] for v in values])
+            extend(default[len(values) :])
+
         def plain(*values: float) -> None:
+            values = values[:most]
             mark(len(positions))
             extend(values)
             extend(default[len(values) :])
 
         if setter.attribute not in _FREQUENT:
             return _by_arguments(setter, dict.fromkeys(range(1, 5), rarely))
+        if setter.bytes_as:
+            table = setter.bytes_as
+            return _by_arguments(setter, dict.fromkeys(range(1, 5), in_bytes))
         if scale != 1:
             return _by_arguments(setter, dict.fromkeys(range(1, 5), scaled))
         fast: dict[int, Call] = {3: three} if events.size == 3 else {2: texture2, 3: color3}
@@ -284,7 +298,7 @@ def _by_arguments(setter: Setter, by_count: dict[int, Call]) -> Call:
 
         def any_count(*values: Any) -> None:
             values = tuple(values[0]) if len(values) == 1 else values
-            by_count[len(values)](*values)
+            by_count[min(len(values), 4)](*values)
 
         return any_count
     call, count = by_count[setter.count], setter.count
@@ -295,15 +309,32 @@ def _by_arguments(setter: Setter, by_count: dict[int, Call]) -> Call:
         call(v[0] if isinstance(v, Sequence) or hasattr(v, "__getitem__") else v)
 
     def vector2(v: Any) -> None:
-        call(v[0], v[1])
+        try:
+            call(v[0], v[1])
+        except IndexError:
+            call(*_nested(setter, v))
 
     def vector3(v: Any) -> None:
-        call(v[0], v[1], v[2])
+        try:
+            call(v[0], v[1], v[2])
+        except IndexError:
+            call(*_nested(setter, v))
 
     def vector4(v: Any) -> None:
-        call(v[0], v[1], v[2], v[3])
+        try:
+            call(v[0], v[1], v[2], v[3])
+        except IndexError:
+            call(*_nested(setter, v))
 
     return (vector1, vector2, vector3, vector4)[count - 1]
+
+
+def _nested(setter: Setter, vector: Any) -> list[Any]:
+    """The numbers of a vector that is the one row of a matrix."""
+    numbers: list[Any] = np.ravel(vector).tolist()
+    if len(numbers) != setter.count:
+        raise ValueError(f"{setter.count} numbers are wanted, not {vector!r}")
+    return numbers
 
 
 def _floats(values: list[float]) -> NDArray[np.float32]:

@@ -6,11 +6,11 @@ import ctypes
 from collections.abc import Iterator
 from typing import Any
 
-from OpenGL import EGL
 from OpenGL.platform import PLATFORM
 
 from domeshim.errors import ScreenError
 from domeshim.window.contract import Backend, SurfaceFormat, Window, WindowEvents
+from domeshim.window.egl import EGL
 
 SURFACELESS, DEVICE = 0x31DD, 0x313F  # EGL_PLATFORM_SURFACELESS_MESA, EGL_PLATFORM_DEVICE_EXT
 SCREEN_SIZE = (1920, 1080)
@@ -225,7 +225,7 @@ def _devices() -> list[Any]:
     from OpenGL.EGL.EXT.device_base import eglQueryDevicesEXT  # noqa: PLC0415 - needs a loaded EGL
 
     found = EGL.EGLint()
-    devices = (ctypes.c_void_p * 16)()
+    devices = (EGL.EGLDeviceEXT * 16)()
     eglQueryDevicesEXT(16, devices, found)
     return [devices[i] for i in range(found.value)]
 

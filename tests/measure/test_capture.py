@@ -261,3 +261,37 @@ glutMainLoop()
 def test_the_mode_counts_not_the_variable(capture, picture, dome):
     assert capture("", DOME=dome).returncode == 0
     assert (picture()[:-1] == (1, 10, 20)).all()
+
+
+@pytest.mark.parametrize("mode", ["monitor", "dome"])
+@pytest.mark.parametrize(
+    ("drawing", "ending"),
+    [
+        ("glRectf(-1, -1, 1, 1)", "glFlush()"),
+        ("glutSolidCube(1)", "glutSwapBuffers()"),
+        ("gluSphere(gluNewQuadric(), 1, 4, 4)", "glFlush()"),
+    ],
+)
+def test_a_single_buffered_program_that_never_clears(capture, picture, mode, drawing, ending):
+    program = f"""
+from OpenGL.GL import *
+from OpenGL.GLU import *
+from OpenGL.GLUT import *
+def display():
+    {drawing}
+    {ending}
+glutInit()
+glutInitDisplayMode(GLUT_SINGLE)
+glutCreateWindow("never clears")
+glutDisplayFunc(display)
+glutMainLoop()
+"""
+    result = capture("", "--mode", mode, "--size", "32", "--frame", "1", whole=program)
+    assert (result.returncode, result.stderr) == (0, "")
+    assert picture()[16, 16].tolist() == [255, 255, 255]
+
+
+def test_a_swap_finishes_the_picture_of_a_single_buffered_program_that_has_drawn_nothing(capture, picture):
+    single = "def before(n): glutSwapBuffers()\nGLUT_DOUBLE = GLUT_SINGLE\n"
+    assert capture(single, "--frame", "2").returncode == 0
+    assert picture()[0, 0].tolist() == [1, 10, 20]

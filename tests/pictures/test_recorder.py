@@ -424,3 +424,46 @@ def test_a_programs_mistakes_are_raised(beside: Beside, wrong: Any) -> None:
         return raised.value.err
 
     beside.equal(scene, name="mistake")
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda gl: gl.glColor3f(1, 0.5, 0, 1),
+        lambda gl: gl.glColor3ub(300, 128, -1, 7),
+        lambda gl: gl.glColor3b(255, 127, 60),
+        lambda gl: gl.glColor3ubv([300, 128, 256]),
+        lambda gl: gl.glColor4f(1, 0.5, 0, 1, 1),
+        lambda gl: gl.glColor3fv([[0.2, 0.5, 1]]),
+        lambda gl: gl.glColor3fv(np.array([[0.2, 0.5, 1]])),
+        lambda gl: gl.glColor4fv(np.array([[0.2, 0.5, 1, 0.5]], np.float32)),
+    ],
+)
+def test_arguments_are_taken_as_pyopengl_takes_them(beside: Beside, call: Any) -> None:
+    """Integers too many are passed over, bytes wrap, and a matrix of one row is a vector."""
+
+    def scene(gl: GL) -> Any:
+        looking(gl, depth=False)
+        call(gl)
+        gl.glBegin(gl.GL_TRIANGLES)
+        gl.glVertex2f(-0.5, -0.5, 3)
+        gl.glNormal3f(0, 0, 1, 1)
+        gl.glTexCoord2f(0, 0, 1)
+        gl.glVertex3f(0.5, -0.5, 0, 2)
+        gl.glVertex2fv([[0, 0.5]])
+        gl.glEnd()
+        gl.glRectf(0.6, 0.6, 0.9, 0.9, 4)
+        return gl.glGetFloatv(gl.GL_CURRENT_COLOR).tolist()
+
+    beside.equal(scene, wrong=0.004)
+
+
+def test_a_vector_of_the_wrong_length_is_refused(beside: Beside) -> None:
+    def scene(gl: GL) -> str:
+        looking(gl, depth=False)
+        gl.glRectf(-0.5, -0.5, 0.5, 0.5)
+        with pytest.raises(ValueError, match=r"Expected 12 byte|3 numbers are wanted"):
+            gl.glVertex3fv((1, 2))
+        return ""
+
+    beside.equal(scene, wrong=0.004)

@@ -8,7 +8,7 @@ import pytest
 from OpenGL import GL
 
 from domeshim.window.contract import SurfaceFormat, Window, WindowEvents
-from domeshim.window.offscreen import OffscreenBackend
+from domeshim.window.offscreen import OffscreenBackend, _displays
 
 
 class Heard(WindowEvents):
@@ -114,3 +114,22 @@ def test_the_wrong_platform_is_named() -> None:
     )
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False)
     assert "PYOPENGL_PLATFORM=egl" in done.stdout
+
+
+def test_egl_can_be_imported_where_the_program_switched_error_checking_off() -> None:
+    program = (
+        "import OpenGL; OpenGL.ERROR_CHECKING = False\n"
+        "from domeshim.window.offscreen import OffscreenBackend\n"
+        "from domeshim.window.contract import SurfaceFormat, WindowEvents\n"
+        "window = OffscreenBackend().open_window('test', (8, 6), None, SurfaceFormat(), WindowEvents())\n"
+        "print(window.size)"
+    )
+    result = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    assert (result.stdout, result.stderr) == ("(8, 6)\n", "")
+
+
+def test_devices_can_be_asked_for(backend: OffscreenBackend) -> None:
+    failures: list[str] = []
+    for _name, display in _displays(failures):
+        assert display
+    assert not [failure for failure in failures if "ctypes" in failure or "argument" in failure]

@@ -98,6 +98,8 @@ class PygameToolkit(ToolkitHost):
         """Open a window that smooths edges if the program did not ask for one and the driver has it."""
         if not self.samples_wished or _SAMPLES in self._asked or _SAMPLE_BUFFERS in self._asked:
             return opening()
+        if not self._display["get_init"]():
+            self._display["init"]()  # set_mode would, but too late for the samples
         put = self._display["gl_set_attribute"]
         put(_SAMPLE_BUFFERS, 1)
         put(_SAMPLES, self.samples_wished)

@@ -163,6 +163,19 @@ def test_pygame_timers_go_by_pictures_and_the_size_is_told(tmp_path, captured_by
 
 
 @needs_pygame
+@needs_xvfb
+def test_pygame_opens_its_window_also_before_pygame_init(tmp_path):
+    ends = "    print(pygame.display.get_init())\n    break\n"
+    runs.write(
+        tmp_path, runs.PYGAME.replace("pygame.init()\n", "").replace("    pygame.time.wait(10)\n", ends)
+    )
+    command = ["xvfb-run", "-a", sys.executable, "-m", "domeshim", "run", "prog.py"]
+    variables = runs.environment(DOME="1", SDL_AUDIODRIVER="dummy")
+    done = subprocess.run(command, cwd=tmp_path, env=variables, capture_output=True, text=True, timeout=60)
+    assert (done.returncode, done.stdout.splitlines()[-1:]) == (0, ["True"]), done.stderr
+
+
+@needs_pygame
 def test_pygame_without_gl_is_left_alone(tmp_path):
     runs.write(tmp_path, FLAT_PYGAME)
     variables = runs.environment(DOME="1", SDL_VIDEODRIVER="dummy", SDL_AUDIODRIVER="dummy")
