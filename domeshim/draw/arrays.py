@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from domeshim.draw.extent import Extent
-from domeshim.draw.subdivide import extent_of, subdivide
+from domeshim.draw.primitives import Parts, extent_of, parts_of
+from domeshim.draw.subdivide import subdivide
 
 if TYPE_CHECKING:
     from domeshim.draw.submit import Submitter
@@ -23,7 +24,7 @@ class ArrayDraws:
         self._context = context
         self._submitter = submitter
         self._extents: dict[object, Extent | None] = {}
-        self._runs: dict[object, Run] = {}
+        self._runs: dict[object, tuple[Run, Parts | None]] = {}
 
     def buffers_changed(self) -> None:
         """The program has written to a buffer or deleted one."""
@@ -42,7 +43,11 @@ class ArrayDraws:
         subdivision = self._context.subdivision(extent) if extent is not None else None
         if subdivision is None:
             return False
-        run = self._runs.get(draw.key) or run or draw.read()
-        if draw.buffered:
-            self._runs[draw.key] = run
-        return subdivide(run, self._context, self._submitter, subdivision)
+        if draw.key in self._runs:
+            run, parts = self._runs[draw.key]
+        else:
+            run = run or draw.read()
+            parts = parts_of(run)
+            if draw.buffered:
+                self._runs[draw.key] = run, parts
+        return subdivide(run, self._context, self._submitter, subdivision, parts)

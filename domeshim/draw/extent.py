@@ -101,3 +101,43 @@ class Extent:
             return 0.0
         between = math.acos(max(-1.0, min(1.0, float(centre @ np.asarray(direction)) / distance)))
         return max(0.0, between - math.asin(radius / distance))
+
+
+@dataclass(frozen=True)
+class Boxes:
+    """Boxes around the parts of a mesh, and the longest edge of each, in the mesh's own units."""
+
+    low: NDArray[np.floating]
+    """(n, 3)"""
+    high: NDArray[np.floating]
+    """(n, 3)"""
+    longest: NDArray[np.floating]
+    """(n,)"""
+
+    def largest_angles(self, to_eye: NDArray[np.floating]) -> NDArray[np.floating]:
+        """No edge of a part subtends more than its angle, (n,), radians; pi where nothing better can be said.
+
+        to_eye: (4, 4), the mesh's own space to eye space. Closer than a sphere's bound where parts are long:
+        the viewer is taken into the mesh's space, where a box's distance is easily told. A matrix of singular
+        values s0 .. s2 leaves at least s2 of a distance and at most s0 of an edge.
+        """
+        most = np.full(len(self.longest), np.pi)
+        turn = to_eye[:3, :3]
+        if to_eye[3].tolist() != [0, 0, 0, 1] or not np.isfinite(to_eye).all():
+            return most
+        scales = np.linalg.svd(turn, compute_uv=False)
+        if not scales[2] > 1e-12 * scales[0]:
+            return most
+        eye = -np.linalg.solve(turn, to_eye[:3, 3])
+        beside = np.maximum(np.maximum(self.low - eye, eye - self.high), 0)
+        nearest = scales[2] * np.sqrt((beside * beside).sum(1))
+        sure = nearest > 0
+        most[sure] = 2 * np.arctan(scales[0] * self.longest[sure] / (2 * nearest[sure]))
+        return most
+
+    def least_angles_from(self, direction: Sequence[float], to_eye: NDArray[np.floating]) -> list[float]:
+        """For each part, Extent's least_angle_from of the sphere around its box."""
+        middles, radii = (self.low + self.high) / 2, np.linalg.norm(self.high - self.low, axis=1) / 2
+        matrix = to_eye.T.ravel().tolist()
+        spheres = zip(middles.tolist(), radii.tolist(), strict=True)
+        return [Extent((x, y, z), r, 0.0).least_angle_from(direction, matrix) for (x, y, z), r in spheres]

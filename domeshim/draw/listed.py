@@ -1,22 +1,20 @@
-"""A mesh of a display list: kept on the GPU in one piece, and in patches once the view asks for them."""
+"""A mesh of a display list: kept on the GPU in one piece, and in smaller ones once the view asks for them."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from functools import cached_property, partial
 from typing import TYPE_CHECKING
 
-from domeshim.draw.extent import Extent
-from domeshim.draw.subdivide import extent_of, filled, primitives_of, stippled, subdivide, taken
-from domeshim.shading.recipe import Patch, PatchMethod
+from domeshim.draw.primitives import Parts, extent_of, parts_of
+from domeshim.draw.subdivide import Making, filled, manner, stippled, subdivide
 
 if TYPE_CHECKING:
+    from domeshim.draw.extent import Extent
     from domeshim.draw.submit import Submitter
     from domeshim.record.immediate import Run
     from domeshim.record.lists import DisplayLists
     from domeshim.state.context import DomeContext
     from domeshim.state.subdivision import Subdivision
-
-_POINTS = 0x0000
 
 
 class ListedMesh:
@@ -27,38 +25,112 @@ class ListedMesh:
         self._context = context
         self._submitter = submitter
         self._lists = lists
-        self._extent: Extent | None = extent_of(run)
         self._whole = lists.compile(lambda: submitter.draw_whole(run))
-        self._patches: list[tuple[Patch | None, int]] | None = None
+        self._patches: Kept | None = None
+        """For any view that needs no split."""
+        self._in_view: Kept | None = None
+        """For one view, which was the last, and what is shown there."""
+        self._view: object = None
 
     def __call__(self) -> None:
         """Draw it, and leave its last attributes current."""
         context = self._context
-        subdivision = context.subdivision(self._extent) if self._extent is not None else None
-        if subdivision is None:
-            context.draw_list(self._whole)
-        elif subdivision.split or not filled(context) or stippled(context):
-            if not subdivide(self._run, context, self._submitter, subdivision):
-                context.draw_list(self._whole)
-        else:
-            for patch, name in self._in_patches(subdivision):
-                context.draw_list(name, patch)
+        self._draw(context.subdivision(self._extent) if self._extent is not None else None)
         self._submitter.make_current(self._run)
 
     def names(self) -> list[int]:
         """The GL lists that it has made, to be deleted with it."""
-        return [self._whole, *(name for _, name in self._patches or ())]
+        kept = [kept for kept in (self._patches, self._in_view) if kept is not None]
+        parts = vars(self).get("_meshes", ())
+        return [
+            self._whole,
+            *(name for k in kept for name in k.names()),
+            *(name for part in parts for name in part.names()),
+        ]
 
-    def _in_patches(self, subdivision: Subdivision) -> list[tuple[Patch | None, int]]:
-        if self._patches is None:
-            self._patches = []
-            method: PatchMethod = "geometry" if subdivision.method == "geometry" else "tessellate"
-            for kind, indices in primitives_of(self._run):
-                patch = None if kind == "points" else Patch(kind, method)
-                piece = taken(self._run, indices)
-                name = self._lists.compile(self._drawing(patch.mode if patch else _POINTS, piece))
-                self._patches.append((patch, name))
-        return self._patches
+    def _draw(self, subdivision: Subdivision | None) -> None:
+        context = self._context
+        if subdivision is None:
+            context.draw_list(self._whole)
+        elif self._parts is not None and filled(context):
+            for part, of_part in zip(self._meshes, context.subdivisions(self._parts.boxes), strict=True):
+                part._draw(of_part)
+        elif not self._draw_pieces(subdivision):
+            context.draw_list(self._whole)
 
-    def _drawing(self, mode: int, piece: Run) -> Callable[[], None]:
-        return lambda: self._submitter.draw_all(mode, piece)
+    @cached_property
+    def _extent(self) -> Extent | None:
+        return extent_of(self._run)
+
+    @cached_property
+    def _parts(self) -> Parts | None:
+        return parts_of(self._run)
+
+    @cached_property
+    def _meshes(self) -> list[ListedMesh]:
+        """One for each part."""
+        runs = self._parts.runs if self._parts is not None else ()
+        return [ListedMesh(run, self._context, self._submitter, self._lists) for run in runs]
+
+    def _draw_pieces(self, subdivision: Subdivision) -> bool:
+        """Draw it subdivided; False where that cannot show what the program asked for.
+
+        What was split for a view is kept as soon as the same view is asked for again.
+        """
+        context = self._context
+        if not subdivision.split and filled(context) and not stippled(context):
+            self._patches = self._patches or self._keep(subdivision)
+            return self._patches.draw()
+        view = (subdivision, manner(context), context.to_eye.tobytes())
+        if view != self._view:
+            self._view = view
+            if self._in_view is not None:
+                self._in_view.delete()
+                self._in_view = None
+            return subdivide(self._run, context, self._submitter, subdivision, None)
+        self._in_view = self._in_view or self._keep(subdivision)
+        return self._in_view.draw()
+
+    def _keep(self, subdivision: Subdivision) -> Kept:
+        kept = Kept(self._context, self._submitter, self._lists)
+        kept.shown = subdivide(self._run, self._context, kept, subdivision, None)
+        return kept
+
+
+class Kept:
+    """Pieces in GL lists: what draws a run is handed, to draw it again later."""
+
+    def __init__(self, context: DomeContext, submitter: Submitter, lists: DisplayLists) -> None:
+        self._context = context
+        self._submitter = submitter
+        self._lists = lists
+        self._draws: list[tuple[int, Making]] = []
+        self.shown = False
+        """The pieces show what the program asked for."""
+
+    def draw_all(self, mode: int, run: Run, made: Making) -> None:
+        """Keep all of a run's vertices, to be drawn by one mode."""
+        self._draws.append((self._lists.compile(lambda: self._submitter.draw_all(mode, run)), made))
+
+    def draw_whole(self, run: Run, made: Making) -> None:
+        """Keep a run's blocks."""
+        self._draws.append((self._lists.compile(lambda: self._submitter.draw_whole(run)), made))
+
+    def completed(self, run: Run) -> Run:
+        """The run itself: in a display list every attribute of every vertex is known."""
+        return run
+
+    def draw(self) -> bool:
+        """Draw what was kept; False where it would not show what the program asked for."""
+        for name, made in self._draws:
+            made(partial(self._context.driver.glCallList, name))
+        return self.shown
+
+    def names(self) -> list[int]:
+        """The GL lists."""
+        return [name for name, _ in self._draws]
+
+    def delete(self) -> None:
+        """Give the GL lists back."""
+        for name in self.names():
+            self._context.driver.glDeleteLists(name, 1)

@@ -2,28 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from functools import partial
-from itertools import groupby
-from operator import itemgetter
 from typing import TYPE_CHECKING, Protocol
 
-import numpy as np
-
-from domeshim.draw.extent import Extent
-from domeshim.draw.patches import Edged, Indices, Kind, corners, kind_of, longest_edge, outlines
+from domeshim.draw.patches import POINTS, TRIANGLES, Edged, Indices
+from domeshim.draw.primitives import FILL, Parts, extent_of, primitives_of, taken
 from domeshim.draw.split import split_wide, triangles_under
 from domeshim.draw.strips import line_strips
-from domeshim.record.immediate import Block, Run, stretches
+from domeshim.record.immediate import Run
 from domeshim.shading.recipe import Patch
 
 if TYPE_CHECKING:
     from domeshim.state.context import DomeContext
     from domeshim.state.subdivision import Subdivision
 
-_POINTS, _TRIANGLES = 0x0000, 0x0004
 _LINE_STIPPLE, _SHADE_MODEL, _FLAT = 0x0B24, 0x0B54, 0x1D00
-_POLYGON_MODE, _POINT, _LINE, _FILL, _CULL_FACE = 0x0B40, 0x1B00, 0x1B01, 0x1B02, 0x0B44
+_POLYGON_MODE, _CULL_FACE = 0x0B40, 0x0B44
 
 
 Making = Callable[[Callable[[], object]], object]
@@ -54,24 +49,28 @@ def subdivision_of(run: Run, context: DomeContext) -> Subdivision | None:
     return context.subdivision(extent) if extent is not None else None
 
 
-def extent_of(run: Run) -> Extent | None:
-    """How large the run is; None where it has no edges, or shows only some of them."""
-    primitives = [indices for kind, indices in primitives_of(run) if kind != "points"]
-    if not primitives or "edge" in run.attributes:
-        return None
-    if run.positions.shape[1] == 4:
-        return Extent.unknown()
-    return Extent.of(run.positions, max(longest_edge(run.positions, indices) for indices in primitives))
+def subdivide(
+    run: Run,
+    context: DomeContext,
+    drawer: Drawer,
+    subdivision: Subdivision,
+    parts: Parts | None,
+) -> bool:
+    """Draw the run in pieces; False where they could not show what the program asked for.
 
-
-def subdivide(run: Run, context: DomeContext, drawer: Drawer, subdivision: Subdivision) -> bool:
-    """Draw the run in pieces; False where they could not show what the program asked for."""
+    parts: the run's, where it is large enough for that.
+    """
     polygon_mode = _shown_polygon_mode(context)
     if polygon_mode is None or "edge" in run.attributes:
         return False  # which edges of a polygon show is lost in its triangles
+    if parts is not None and polygon_mode == FILL:
+        for part, of_part in zip(parts.runs, context.subdivisions(parts.boxes), strict=True):
+            if of_part is None or not subdivide(part, context, drawer, of_part, None):
+                drawer.draw_whole(part, context.draw)
+        return True
     for kind, indices in primitives_of(run, polygon_mode):
         if kind == "points":
-            drawer.draw_all(_POINTS, taken(run, indices), context.draw)
+            drawer.draw_all(POINTS, taken(run, indices), context.draw)
         elif kind == "lines" and (subdivision.method == "cpu" or stippled(context)):
             _draw_strips(run, indices, context, drawer)
         elif subdivision.method == "cpu":
@@ -95,7 +94,7 @@ def _draw_triangles(piece: Run, context: DomeContext, drawer: Drawer) -> None:
         context.say_once("method cpu lights large polygons at more places than their own corners")
     limit = context.tolerance.limit(1 / context.tolerance.detail)
     piece = triangles_under(drawer.completed(piece), context.to_eye, limit, flat=_flat(context))
-    drawer.draw_all(_TRIANGLES, piece, context.draw)
+    drawer.draw_all(TRIANGLES, piece, context.draw)
 
 
 def _draw_strips(run: Run, lines: Indices, context: DomeContext, drawer: Drawer) -> None:
@@ -104,11 +103,9 @@ def _draw_strips(run: Run, lines: Indices, context: DomeContext, drawer: Drawer)
     drawer.draw_whole(strips, context.draw)
 
 
-def taken(run: Run, indices: Indices) -> Run:
-    """Some vertices of a run, without its blocks."""
-    chosen = indices.ravel()
-    attributes = {name: values[chosen] for name, values in run.attributes.items()}
-    return Run(run.positions[chosen], attributes, (), constant=run.constant)
+def manner(context: DomeContext) -> tuple[object, ...]:
+    """All that decides into which pieces a run is cut, beside the view."""
+    return _shown_polygon_mode(context), stippled(context), _flat(context)
 
 
 def stippled(context: DomeContext) -> bool:
@@ -122,31 +119,12 @@ def _flat(context: DomeContext) -> bool:
 
 def filled(context: DomeContext) -> bool:
     """Polygons are drawn filled now."""
-    return _shown_polygon_mode(context) == _FILL
+    return _shown_polygon_mode(context) == FILL
 
 
 def _shown_polygon_mode(context: DomeContext) -> int | None:
-    """GL_FILL, GL_LINE or GL_POINT; None where the two faces differ or one is culled while outlined."""
+    """GLFILL, GL_LINE or GL_POINT; None where the two faces differ or one is culled while outlined."""
     front, back = context.driver.integers(_POLYGON_MODE, 2)
-    if front == _FILL and back in (_FILL, 0):
-        return _FILL
+    if front == FILL and back in (FILL, 0):
+        return FILL
     return None if front != back or context.driver.glIsEnabled(_CULL_FACE) else front
-
-
-def primitives_of(run: Run, polygon_mode: int = _FILL) -> Iterator[tuple[Kind, Indices]]:
-    """The run's points, lines and triangles, neighbours of one kind together, in the order of drawing."""
-    for kind, group in groupby(_stretches(run.blocks, polygon_mode), key=itemgetter(0)):
-        together = [indices for _, indices in group]
-        yield kind, together[0] if len(together) == 1 else np.concatenate(together)
-
-
-def _stretches(blocks: tuple[Block, ...], polygon_mode: int) -> Iterator[tuple[Kind, Indices]]:
-    """Each stretch of primitives, polygons as filled, outlined or as points."""
-    for mode, first, count in stretches(blocks):
-        kind = kind_of(mode)
-        if kind == "triangles" and polygon_mode == _LINE:
-            yield "lines", outlines(mode, count) + first
-        elif kind == "triangles" and polygon_mode == _POINT:
-            yield "points", corners(_POINTS, count) + first
-        else:
-            yield kind, corners(mode, count) + first

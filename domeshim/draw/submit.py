@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from domeshim.draw.current import current_setters, current_value
 from domeshim.draw.extent import Extent
+from domeshim.draw.primitives import parts_of
 from domeshim.draw.replay import replay
 from domeshim.draw.subdivide import Making, at_once, subdivide, subdivision_of
 from domeshim.driver import Driver
@@ -73,7 +74,7 @@ class Submitter:
 
     def draw_as_needed(self, run: Run, context: DomeContext, subdivision: Subdivision | None) -> None:
         """Draw a run onto the dome, in patches if it needs them, and leave its last attributes current."""
-        if subdivision is None or not subdivide(run, context, self, subdivision):
+        if subdivision is None or not subdivide(run, context, self, subdivision, parts_of(run)):
             self.draw_whole(run, context.draw)
         self.make_current(run)
 

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from domeshim.draw.extent import Extent
+from domeshim.draw.extent import Boxes, Extent
 from domeshim.driver import Driver
 from domeshim.lens.models import Lens, lens_of, rim_radius
 from domeshim.lens.orientation import Orientation
@@ -251,6 +251,17 @@ class DomeContext:
         if self.tolerance.broken_by(angle, behind) and not own.own_matrices:
             self.say_once("long edges drawn by the program's own GLSL stay straight: it is not subdivided")
         return None
+
+    def subdivisions(self, boxes: Boxes) -> list[Subdivision | None]:
+        """What each part of a mesh needs, where subdivision says that the mesh needs something."""
+        tolerance, to_eye = self.tolerance, self.to_eye
+        angles = boxes.largest_angles(to_eye).tolist()
+        behind = [math.pi] * len(angles)
+        if tolerance.least < 1:
+            behind = boxes.least_angles_from(tolerance.aft, to_eye)
+        return [
+            tolerance.subdivision(angle, b, self.scene.scene) for angle, b in zip(angles, behind, strict=True)
+        ]
 
     @property
     def to_eye(self) -> Matrix:

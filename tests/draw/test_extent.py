@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from domeshim.draw.extent import Extent
+from domeshim.draw.extent import Boxes, Extent
 from domeshim.draw.patches import corners, longest_edge
 
 
@@ -71,3 +71,34 @@ def test_no_point_is_closer_to_a_direction_than_the_bound(seed, scale):
 def test_the_bound_from_a_direction_is_close_for_a_small_mesh():
     extent = Extent.of_few([-0.5, 0, -10, 0.5, 0, -10])
     assert extent.least_angle_from((0, 0, 1), np.eye(4).ravel().tolist()) == pytest.approx(np.pi, abs=0.1)
+
+
+@given(st.integers(0, 100_000), st.floats(0.01, 100), st.floats(-2, 2))
+def test_no_edge_of_a_part_subtends_more_than_its_bound(seed, size, shear):
+    rng = np.random.default_rng(seed)
+    points = rng.normal(size=(5, 12, 3)) * size * rng.uniform(0.01, 1, (5, 1, 3)) + rng.normal(size=(5, 1, 3))
+    to_eye = np.eye(4)
+    to_eye[:3, :3] = rng.normal(size=(3, 3))
+    to_eye[0, 1] += shear
+    to_eye[:3, 3] = rng.normal(size=3) * 10
+    edges = corners(1, 12)
+    boxes = Boxes(points.min(1), points.max(1), np.array([longest_edge(p, edges) for p in points]))
+    bounds = boxes.largest_angles(to_eye)
+    for part, bound in zip(points, bounds, strict=True):
+        assert bound >= angles(part @ to_eye[:3, :3].T + to_eye[:3, 3], edges).max() - 1e-9
+
+
+def test_a_long_part_is_judged_by_its_own_distance():
+    """A row of a floor, far wider than it is away."""
+    boxes = Boxes(np.array([[-50.0, -1, -6]]), np.array([[50.0, -1, -5]]), np.array([1.0]))
+    assert boxes.largest_angles(np.eye(4))[0] < 1.1 * 2 * np.arctan(0.5 / np.hypot(1, 5))
+
+
+def test_parts_bound_nothing_under_matrices_without_an_inverse_or_with_a_perspective():
+    boxes = Boxes(np.full((1, 3), 4.0), np.full((1, 3), 5.0), np.array([1.0]))
+    flat, projective = np.diag([1.0, 1, 0, 1]), np.eye(4)
+    projective[3, 2] = -1
+    assert boxes.largest_angles(flat) == [np.pi]
+    assert boxes.largest_angles(projective) == [np.pi]
+    nowhere = Boxes(np.full((1, 3), np.nan), np.full((1, 3), np.nan), np.array([np.nan]))
+    assert nowhere.largest_angles(np.eye(4)) == [np.pi]

@@ -13,7 +13,7 @@ from operator import index
 from typing import Any
 
 from domeshim.draw.extent import Extent
-from domeshim.draw.subdivide import extent_of
+from domeshim.draw.primitives import extent_of
 from domeshim.intercept.dome import Dome
 from domeshim.intercept.quadrics import shapes
 from domeshim.intercept.quadrics.shapes import Settings
