@@ -1,0 +1,93 @@
+"""The owner's side of a render host: start it, order pictures, end it."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
+from typing import IO
+
+from domeshim.errors import DomeError
+from domeshim.render.plan import Reel
+from domeshim.render.wire import Header, order, receive
+
+
+class HostLost(DomeError):
+    """The process that a program ran in ended before it delivered what was ordered; says why, if it did."""
+
+    def __init__(self, text: str, *, final: bool = False) -> None:
+        super().__init__(text)
+        self.final = final
+        """It would end so again: the program has no more pictures."""
+
+
+class LooksBack(DomeError):
+    """The program read a picture that was passed by undrawn: none of its pictures may be."""
+
+
+Passing = Callable[[int], None]
+"""Hears the number of a picture that was passed by."""
+
+
+class Host:
+    """One program in a process of its own. It only goes forward: pictures are ordered by rising numbers."""
+
+    def __init__(self, reel: Reel, *, draws_all: bool = False) -> None:
+        """draws_all: pictures that are passed by are drawn as well."""
+        self.reached = 0
+        """The last picture that was delivered."""
+        orders_out, orders_in = os.pipe()
+        replies_out, replies_in = os.pipe()
+        pipes = (str(orders_out), str(replies_in))
+        try:
+            self._process = subprocess.Popen(
+                [sys.executable, "-m", "domeshim.render.host", *pipes, str(int(draws_all)), reel.to_json()],
+                pass_fds=(orders_out, replies_in),
+                stdin=subprocess.DEVNULL,
+            )
+        finally:
+            os.close(orders_out)
+            os.close(replies_in)
+        self._orders: IO[bytes] = os.fdopen(orders_in, "wb")
+        self._replies: IO[bytes] = os.fdopen(replies_out, "rb")
+
+    @property
+    def process(self) -> int:
+        """The process's number."""
+        return self._process.pid
+
+    def pictures(self, frames: Sequence[int], passing: Passing) -> Iterator[tuple[Header, bytes]]:
+        """Deliver these pictures, each after the last one reached, in rising order.
+
+        Raises HostLost where the process ended before, LooksBack where no picture of this program may be
+        passed by.
+        """
+        with suppress(BrokenPipeError):
+            order(self._orders, tuple(frames))
+        for frame in frames:
+            while (reply := receive(self._replies)) is not None and reply[0].kind == "passing":
+                passing(reply[0].frame)
+            header = reply[0] if reply is not None else Header("gone")
+            if header.kind == "looked-back":
+                raise LooksBack(f"the program read its picture {header.frame}, which was passed by undrawn")
+            if header.kind == "failed":
+                raise HostLost(header.text, final=True)
+            if reply is None or header.kind != "picture":
+                raise HostLost(f"the program ended before its picture {frame}{self._status()}")
+            self.reached = frame
+            yield reply
+
+    def close(self) -> None:
+        """End the process."""
+        for stream in (self._orders, self._replies):
+            with suppress(OSError):
+                stream.close()
+        if self._process.poll() is None:
+            self._process.terminate()
+        self._process.wait()
+
+    def _status(self) -> str:
+        status = self._process.wait()
+        return f" (signal {-status})" if status < 0 else f" (exit status {status})" if status else ""
