@@ -236,6 +236,13 @@ _FIELDS = {field for field in _SETTINGS if field not in ("preset", "config")}
 ACCEPTED = {field: setting.accepted for field, setting in _SETTINGS.items()}
 """What each setting accepts, in words."""
 
+
+def settings_in_environment() -> dict[str, str]:
+    """The user's DOME_* variables as texts, by the field of Options; for a process elsewhere."""
+    found = {field: os.environ.get(variable, "") for field, variable in VARIABLES.items()}
+    return {field: text for field, text in found.items() if text.strip() and field != "enabled"}
+
+
 _LATER = {
     "DOME_SURFACE": "dome",
     "DOME_STEREO": "off",

@@ -49,6 +49,9 @@ class Dome(Protocol):
     def flush(self) -> None:
         """Let GL see what has been recorded."""
 
+    def pass_by(self, on: bool) -> None:
+        """Nobody looks at what comes now: leave all draws out, or make them again."""
+
     def frame_ending(self, window: Window) -> None:
         """The picture is complete: what must still be drawn over it is drawn now."""
 
@@ -105,6 +108,10 @@ class Session:
         self._drawn = False
         self._flushed = False
         self._displaying = False
+        self._passing = False
+        self._cleared = False
+        self.looked_back = False
+        """The program needed a picture that was passed by."""
 
     @property
     def backend(self) -> Backend:
@@ -132,6 +139,18 @@ class Session:
         """The dome is there from now on; a program may have opened its window before it imported GL."""
         self.dome = dome
         self._introduce(self._window)
+
+    @property
+    def passing(self) -> bool:
+        """Nobody looks at the picture that is being drawn: the dome leaves out its draws."""
+        return self._passing
+
+    @passing.setter
+    def passing(self, passing: bool) -> None:
+        if passing != self._passing:
+            self._passing = passing
+            if self.dome is not None:
+                self.dome.pass_by(passing)
 
     # What the toolkit tells us of its windows.
 
@@ -181,11 +200,16 @@ class Session:
         """Something is being drawn; a new picture begins where the last one was flushed."""
         self._drawn = True
 
-    def clearing(self) -> None:
-        """The colour buffer is about to be cleared: what was flushed before was a whole picture."""
+    def clearing(self, *, colour: bool) -> None:
+        """A buffer is about to be cleared: what was flushed before was a whole picture."""
         if self._flushed and self._window is not None:
             self._end_frame(self._window)
         self._drawn = True
+        self._cleared = self._cleared or colour
+
+    def reading(self) -> None:
+        """The program reads pixels of its picture."""
+        self.looked_back = self.looked_back or self._passing
 
     def flushed(self) -> None:
         """The program flushed: a single-buffered picture is finished, at the end of display if inside it."""
@@ -218,7 +242,8 @@ class Session:
     def _end_frame(self, window: Window) -> None:
         if self.dome is not None and window not in self._unbent:
             self.dome.frame_ending(window)
-        self._drawn = self._flushed = False  # the dome's own last draws belong to the picture that ends
+        self.looked_back |= self._passing and not self._cleared  # the next picture is drawn over it
+        self._drawn = self._flushed = self._cleared = False  # the dome's own draws belong to what ends
         if self.parts is None or not self.parts.keep(window):
             self.show(window)
 

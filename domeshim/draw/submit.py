@@ -72,6 +72,12 @@ class Submitter:
         finally:
             recorder.clear()
 
+    def skip(self, recorder: Immediate) -> None:
+        """Leave out the draws, and leave the last attributes current."""
+        for name, events in recorder.used:
+            self._setters[name](*events.last)
+        recorder.clear()
+
     def draw_as_needed(self, run: Run, context: DomeContext, subdivision: Subdivision | None) -> None:
         """Draw a run onto the dome, in patches if it needs them, and leave its last attributes current."""
         if subdivision is None or not subdivide(run, context, self, subdivision, parts_of(run)):

@@ -100,6 +100,7 @@ class Dome:
         self.building = self.lists.building if self.lists else None
         if self.context is not None:
             self.context.viewport_changed()  # another window may have changed the main view that they share
+            self.context.pass_by(self._session.passing)
 
     def window_resized(self, window: Window, program_size: tuple[int, int]) -> None:
         """The program's window has this size now."""
@@ -139,9 +140,19 @@ class Dome:
         """Which pixels of the frame show this part of a window that lies inside another; None: none do."""
         return self._windows[window].context.pixels.region(part)
 
-    def clearing(self) -> None:
+    def clearing(self, *, colour: bool) -> None:
         """The program clears a buffer, and the dome does it."""
-        self._session.clearing()
+        self._session.clearing(colour=colour)
+
+    def reading(self) -> None:
+        """The program reads pixels of its picture."""
+        self._session.reading()
+
+    def pass_by(self, on: bool) -> None:
+        """Nobody looks at what comes now: leave all draws out, or make them again."""
+        self.flush()
+        if self.context is not None:
+            self.context.pass_by(on)
 
     def drawing(self) -> None:
         """The program draws something that is not recorded."""
@@ -160,7 +171,9 @@ class Dome:
             if recorder.materials:
                 self._flush_materials(current)
                 return
-        if recorder.extras:
+        if recorder.blocks and current.context.passing and not recorder.extras and self.building is None:
+            current.context.draw(lambda: current.submitter.skip(recorder))
+        elif recorder.extras:
             context = current.context
             current.submitter.replay(recorder, lambda draw: context.draw(inside_block(context)(draw)))
         elif self.building is not None and self._keeps(self.building):
@@ -265,4 +278,6 @@ class Dome:
         self.flush()
         ended = self._windows[window]
         ended.context.undress()
+        if ended.context.passing:
+            return
         ended.rim.draw(ended.context.frame, ended.context.rim)

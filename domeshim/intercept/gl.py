@@ -29,6 +29,7 @@ from domeshim.intercept.state_calls import (
     load_matrix,
     matrix_mode,
     read,
+    read_picture,
     render_mode,
     staling,
     switch,
@@ -56,9 +57,10 @@ _REST = re.compile(r"gl(Fog(|[fi]v?)|PointParameter(|[fi]v?)|ShadeModel)")
 _LOADS = re.compile(r"gl(Load|Mult)(Transpose)?Matrix[df]?")
 _GETS = re.compile(r"glGet(Boolean|Double|Float|Integer)(v|)|glIsEnabled")
 _READ_PIXELS = re.compile(r"glReadPixels(b|d|f|i|s|ub|ui|us)?")
-_READS = re.compile(r"glGetHandle|glReadPixels\w*|glCopyTex\w+")
+_READS = re.compile(r"glReadPixels\w*|glCopyTex\w+")
 _UNIFORMS = re.compile(r"glUniform\w+")
 _RECTS = re.compile(r"glRect[dfis](v?)")
+_COLOR_BUFFER_BIT = 0x4000
 _UNSEEN = re.compile(r"glGetError|glGetString\w*|glCheckError|glInit\w+")
 """Neither changes anything nor depends on what was drawn."""
 
@@ -98,7 +100,7 @@ def _frame_calls(session: Session, module: ModuleType) -> dict[str, Call]:
 
     def clearing(original: Call) -> Call:
         def call(mask: int, *_more: object) -> None:
-            session.clearing()
+            session.clearing(colour=bool(mask & _COLOR_BUFFER_BIT))
             original(mask)
             if mask & ACCUMULATION_BIT and session.window is not None and accumulation.needed:
                 accumulation.clear(session.window, session.window.size)
@@ -108,6 +110,7 @@ def _frame_calls(session: Session, module: ModuleType) -> dict[str, Call]:
     def accumulating(original: Call) -> Call:
         def call(op: int, value: float) -> None:
             window = session.window
+            session.reading()
             if window is None or not accumulation.needed:
                 original(op, value)
             else:
@@ -202,6 +205,7 @@ _SPECIAL: Mapping[str, Maker] = {
     "glRenderMode": render_mode,
     "glClear": kept_in_lists(pixels.clear),
     "glAccum": kept_in_lists(read),
+    "glGetHandle": read,
 }
 _WRITES_BUFFER = re.compile(
     r"gl(Named)?(BufferData|BufferSubData|BufferStorage)\w*|gl(Unm|M)ap\w*Buffer\w*|glCopy\w*BufferSubData"
@@ -220,5 +224,5 @@ _FAMILIES: tuple[tuple[re.Pattern[str], Maker], ...] = (
     (_LOADS, load_matrix),
     (_GETS, get),
     (_READ_PIXELS, reading.read_pixels),
-    (_READS, read),
+    (_READS, read_picture),
 )

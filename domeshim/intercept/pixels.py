@@ -70,10 +70,11 @@ def clear(dome: Dome, original: Call) -> Call:
     return call
 
 
+_COLOR_BUFFER_BIT = 0x4000
 _DRAWN = 0x4500
 """The colour, depth and stencil bits."""
 
 
 def _clear_part(dome: Dome, context: DomeContext, mask: int) -> None:
-    dome.clearing()
+    dome.clearing(colour=bool(mask & _COLOR_BUFFER_BIT))
     context.pixels.clear_part(mask & _DRAWN)

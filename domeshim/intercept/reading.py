@@ -55,6 +55,7 @@ def read_pixels(dome: Dome, original: Call) -> Call:
         if context is None:
             return original(x, y, width, height, format, *args, **named)
         context.undress()
+        dome.reading()
         area, kind = (int(x), int(y), int(width), int(height)), int(format)
         pixels = _pixels_of(context, area, kind) if _reads_window(context, area, kind) else None
         if pixels is None:

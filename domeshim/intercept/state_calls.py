@@ -75,6 +75,17 @@ def read(dome: Dome, original: Call) -> Call:
     return call
 
 
+def read_picture(dome: Dome, original: Call) -> Call:
+    """A call that reads pixels of what was drawn."""
+    call = read(dome, original)
+
+    def reading(*args: Any, **named: Any) -> Any:
+        dome.reading()
+        return call(*args, **named)
+
+    return reading
+
+
 def get(dome: Dome, original: Call) -> Call:
     """glGet and glIsEnabled."""
 

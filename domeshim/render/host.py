@@ -1,9 +1,10 @@
 """The process that a program runs in while its pictures are rendered.
 
-    python -m domeshim.render.host ORDERS REPLIES REEL
+    python -m domeshim.render.host ORDERS REPLIES DRAWS_ALL REEL
 
-ORDERS and REPLIES are the numbers of open pipes (see wire.py), REEL the JSON of a Reel. The program lives on
-the virtual clock, off screen, and stops at each finished picture until it is known which one is wanted next.
+ORDERS and REPLIES are the numbers of open pipes (see wire.py), DRAWS_ALL is 1 if pictures that are passed
+by are drawn, REEL the JSON of a Reel. The program lives on the virtual clock, off screen, and stops at a
+finished picture until it is known which one is wanted next.
 """
 
 from __future__ import annotations
@@ -11,12 +12,13 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Sequence
+from contextlib import suppress
 from functools import partial
-from typing import IO, TYPE_CHECKING
+from typing import IO, TYPE_CHECKING, NoReturn
 
 from domeshim.errors import DomeError, ProgramFinished
-from domeshim.measure.capture import Studio, end_at_once, run_off_screen
 from domeshim.measure.pixels import read_pixels
+from domeshim.measure.studio import Studio, Watch, end_at_once, run_off_screen
 from domeshim.options import Options
 from domeshim.program import run_program
 from domeshim.render.plan import Reel
@@ -33,54 +35,74 @@ _NEWS_EVERY = 100
 class Camera:
     """Hears of each finished picture, delivers the ordered ones and lets the others pass."""
 
-    def __init__(self, session: Session, orders: IO[bytes], replies: IO[bytes]) -> None:
+    def __init__(
+        self, session: Session, orders: IO[bytes], replies: IO[bytes], watch: Watch, *, draws_all: bool
+    ) -> None:
         self._session = session
         self._orders = orders
         self._replies = replies
-        self._wanted = list(next_order(orders))
-        self._plan_next(1)
+        self._watch = watch
+        self._draws_all = draws_all
+        self._wanted: list[int] = []
+        self._hear()
+        watch.start()
+        self._prepare(1)
 
     def frame_finished(self, window: Window, number: int) -> None:
-        """Deliver the picture if it is wanted; wait for the next order once nothing is.
+        """Deliver the picture if it is wanted; wait for the next order once none is.
 
         Raises ProgramFinished when nothing more is wanted. A program that stops exceptions ends there.
         """
         if not self._wanted:
             end_at_once(0)
+        self._watch.heard()
         if self._session.looked_back:
             send(self._replies, Header("looked-back", number))
             end_at_once(0)
         if number == self._wanted[0]:
             send(self._replies, Header("picture", number, window.size), read_pixels(*window.size))
             self._wanted.pop(0)
-            if not self._wanted:
-                self._wanted = list(next_order(self._orders))
+            self._hear()
             if not self._wanted:
                 raise ProgramFinished
         elif number % _NEWS_EVERY == 0:
             send(self._replies, Header("passing", number))
-        self._plan_next(number + 1)
+        self._prepare(number + 1)
 
-    def _plan_next(self, number: int) -> None:
-        self._session.passing = bool(self._wanted) and number < self._wanted[0]
+    def _hear(self) -> None:
+        """Wait for the next order if there is nothing left to do."""
+        if not self._wanted:
+            self._watch.waiting = True
+            self._wanted = list(next_order(self._orders))
+            self._watch.waiting = False
+            self._watch.heard()
+
+    def _prepare(self, number: int) -> None:
+        """Let the next picture pass undrawn if it is not wanted."""
+        self._session.passing = number < self._wanted[0] and not self._draws_all
 
 
 def main(arguments: Sequence[str]) -> None:
     """Run the program until nothing more is ordered, and end the process."""
-    orders = os.fdopen(int(arguments[0]), "rb")
-    replies = os.fdopen(int(arguments[1]), "wb")
-    reel = Reel.from_json(arguments[2])
+    orders, replies = os.fdopen(int(arguments[0]), "rb"), os.fdopen(int(arguments[1]), "wb")
+    draws_all, reel = bool(int(arguments[2])), Reel.from_json(arguments[3])
+
+    def fail(text: str) -> NoReturn:
+        with suppress(BrokenPipeError):
+            send(replies, Header("failed", text=text))
+        end_at_once(1)
+
+    watch = Watch(reel.timeout, lambda: fail(f"no picture came for {reel.timeout:g} seconds"))
     try:
-        options = Options.from_environment({}, {**reel.settings, "enabled": "1"})
-        run_off_screen(
-            lambda session: Camera(session, orders, replies),
-            options,
+        session, _ = run_off_screen(
             partial(run_program, reel.program, reel.arguments, module=reel.module),
+            Options.from_environment({}, {**reel.settings, "enabled": "1"}),
             Studio((reel.side, reel.side), reel.fps, reel.timeout),
+            lambda session: Camera(session, orders, replies, watch, draws_all=draws_all),
         )
     except DomeError as error:
-        send(replies, Header("failed", text=str(error)))
-        sys.exit(error.exit_status)
+        fail(str(error))
+    fail(f"the program ended after {session.frames} pictures")
 
 
 if __name__ == "__main__":

@@ -14,7 +14,7 @@ from domeshim.render.plan import Reel
 from domeshim.render.wire import Header, order, receive
 
 
-class HostLost(DomeError):
+class HostLostError(DomeError):
     """The process that a program ran in ended before it delivered what was ordered; says why, if it did."""
 
     def __init__(self, text: str, *, final: bool = False) -> None:
@@ -23,7 +23,7 @@ class HostLost(DomeError):
         """It would end so again: the program has no more pictures."""
 
 
-class LooksBack(DomeError):
+class LooksBackError(DomeError):
     """The program read a picture that was passed by undrawn: none of its pictures may be."""
 
 
@@ -61,8 +61,8 @@ class Host:
     def pictures(self, frames: Sequence[int], passing: Passing) -> Iterator[tuple[Header, bytes]]:
         """Deliver these pictures, each after the last one reached, in rising order.
 
-        Raises HostLost where the process ended before, LooksBack where no picture of this program may be
-        passed by.
+        Raises HostLostError where the process ended before, LooksBackError where no picture of this program
+        may be passed by.
         """
         with suppress(BrokenPipeError):
             order(self._orders, tuple(frames))
@@ -71,11 +71,11 @@ class Host:
                 passing(reply[0].frame)
             header = reply[0] if reply is not None else Header("gone")
             if header.kind == "looked-back":
-                raise LooksBack(f"the program read its picture {header.frame}, which was passed by undrawn")
+                raise LooksBackError(f"the program looked back at its picture {header.frame}")
             if header.kind == "failed":
-                raise HostLost(header.text, final=True)
+                raise HostLostError(header.text, final=True)
             if reply is None or header.kind != "picture":
-                raise HostLost(f"the program ended before its picture {frame}{self._status()}")
+                raise HostLostError(f"the program ended before its picture {frame}{self._status()}")
             self.reached = frame
             yield reply
 

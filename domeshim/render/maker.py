@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from domeshim.render.files import encode
-from domeshim.render.hosted import Host, HostLost, LooksBack, Passing
+from domeshim.render.hosted import Host, HostLostError, LooksBackError, Passing
 from domeshim.render.plan import Plan
 
 TRIES = 3
@@ -21,7 +21,7 @@ class Made:
     frame: int
     eye: str
     content: bytes = b""
-    """The file's."""
+    """The file's; none where the file has been written."""
     digest: str = ""
     """SHA-256 of the pixels as they are in the file."""
     error: str = ""
@@ -30,10 +30,11 @@ class Made:
 class Maker:
     """Makes any pictures of a plan, in one process a program and eye."""
 
-    def __init__(self, plan: Plan) -> None:
+    def __init__(self, plan: Plan, *, draws_all: bool = False) -> None:
+        """draws_all: pictures that are passed by are drawn as well."""
         self._plan = plan
         self._hosts: dict[str, Host] = {}
-        self._draws_all = False
+        self._draws_all = draws_all
 
     def make(self, frames: Sequence[int], passing: Passing = lambda _frame: None) -> Iterator[Made]:
         """Make these pictures, given by rising numbers, for each eye."""
@@ -55,10 +56,10 @@ class Maker:
                     frames.remove(header.frame)
                     lost = 0
                     yield self._made(eye, header.frame, header.size[0], pixels)
-            except LooksBack:
+            except LooksBackError:
                 self._draws_all = True
                 self._end(eye)
-            except HostLost as error:
+            except HostLostError as error:
                 self._end(eye)
                 tries[frames[0]] += 1
                 if tries[frames[0]] < TRIES and not error.final:

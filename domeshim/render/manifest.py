@@ -84,7 +84,7 @@ class Manifest:
             )
             return cls(plan, said["pictures"], said["failed"], said["notes"])
         except FileNotFoundError:
-            raise DomeError(f"{folder}: no {NAME} in it, so it is not a folder of rendered pictures") from None
+            raise DomeError(f"{folder}: no {NAME} in it: not a folder of rendered pictures") from None
         except (OSError, ValueError, KeyError, TypeError) as error:
             raise DomeError(f"{path}: cannot be read ({error})") from None
 

@@ -42,7 +42,7 @@ class Reel:
 
 @dataclass(frozen=True)
 class Plan:
-    """A row of pictures, and their files: OUTPUT/NAME_000001.png, or OUTPUT/L/... and OUTPUT/R/... of two eyes."""
+    """A row of pictures and their files: OUTPUT/NAME_000001.png, in OUTPUT/L and OUTPUT/R for two eyes."""
 
     reel: Reel
     first: int

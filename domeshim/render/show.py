@@ -37,6 +37,16 @@ class Crew(Protocol):
     def make(self, plan: Plan, frames: list[int], progress: Progress) -> Iterator[Made]:
         """Make these pictures of the plan, in any order."""
 
+    def seams(self, frames: list[int]) -> list[int]:
+        """Which of these pictures are made by another program than the one before."""
+
+
+class Video(Protocol):
+    """What takes up the pictures in their order."""
+
+    def go_on(self) -> None:
+        """Take up the pictures that are there by now."""
+
 
 class Alone:
     """One program after another, on this machine."""
@@ -49,8 +59,12 @@ class Alone:
         finally:
             maker.close()
 
+    def seams(self, frames: list[int]) -> list[int]:  # noqa: ARG002 - the crew's
+        """None: one program makes them all, in their order."""
+        return []
 
-def render(plan: Plan, crew: Crew, progress: Progress) -> Manifest:
+
+def render(plan: Plan, crew: Crew, progress: Progress, video: Video | None = None) -> Manifest:
     """Make all pictures of the plan that are not there yet, and return the manifest, which is saved.
 
     Raises OSError where a file cannot be written.
@@ -63,16 +77,40 @@ def render(plan: Plan, crew: Crew, progress: Progress) -> Manifest:
     manifest.save()
     saved = time.monotonic()
     try:
+        if video is not None:
+            video.go_on()
         for made in crew.make(plan, missing, progress):
             _keep(made, manifest)
             progress.made()
+            if video is not None:
+                video.go_on()
             if time.monotonic() - saved > _SAVE_EVERY:
                 manifest.save()
                 saved = time.monotonic()
+        manifest.notes = _doubts(manifest, crew.seams(missing)[:2])
     finally:
         manifest.save()
         progress.ended()
     return manifest
+
+
+def _doubts(manifest: Manifest, frames: list[int]) -> list[str]:
+    """Make these pictures again, by another program that draws all before them; what came out otherwise."""
+    maker = Maker(manifest.plan, draws_all=True)
+    try:
+        others = [
+            again.frame
+            for again in maker.make(frames)
+            if again.digest != manifest.hashes.get(manifest.key(again.frame, again.eye), again.digest)
+        ]
+    finally:
+        maker.close()
+    if not others:
+        return []
+    return [
+        f"picture {others[0]} came out differently when it was made again: the program depends on more than "
+        "the clock (threads, the network, the time of day, its former pictures); render it without --workers"
+    ]
 
 
 def _missing(plan: Plan, manifest: Manifest) -> list[int]:
@@ -98,6 +136,7 @@ def _keep(made: Made, manifest: Manifest) -> None:
     if made.error:
         manifest.failed[key] = made.error
         return
-    write(manifest.plan.path(made.frame, made.eye), made.content)
+    if made.content:
+        write(manifest.plan.path(made.frame, made.eye), made.content)
     manifest.hashes[key] = made.digest
     manifest.failed.pop(key, None)

@@ -34,6 +34,7 @@ from domeshim.window.frame import Frame, Rectangle
 
 _VIEWPORT, _MATRIX_MODE, _MODELVIEW, _PROJECTION, _TEXTURE = 0x0BA2, 0x0BA0, 0x1700, 0x1701, 0x1702
 _MODELVIEW_MATRIX, _PROJECTION_MATRIX, _CURRENT_PROGRAM = 0x0BA6, 0x0BA7, 0x8B8D
+_RASTERIZER_DISCARD = 0x8C89
 _PATCH_VERTICES, _CURRENT_AND_LIGHTING_BITS = 0x8E72, 0x0041
 _SCISSOR_TEST, _SCISSOR_BOX = 0x0C11, 0x0C10
 
@@ -70,6 +71,7 @@ class DomeContext:
         self._wardrobe = Wardrobe(driver, options, self.lens, self.orientation)
         self.pixels = WindowPixels(self, options)
         self._bypasses: set[str] = set()
+        self._passing = False
         self._said: set[str] = set()
         self._projection_stale = True
         self._matrix_mode = driver.integer(_MATRIX_MODE)
@@ -168,6 +170,18 @@ class DomeContext:
         (self._bypasses.add if on else self._bypasses.discard)(reason)
         self.undress()
 
+    @property
+    def passing(self) -> bool:
+        """Draws are left out, for nobody looks at them."""
+        return self._passing
+
+    def pass_by(self, on: bool) -> None:
+        """Leave out the draws from now on, or make them again; this context must be current."""
+        if on != self._passing:
+            self.undress()
+            self._passing = on
+            (self.driver.glEnable if on else self.driver.glDisable)(_RASTERIZER_DISCARD)
+
     def say_once(self, text: str) -> None:
         """Tell the user on stderr what cannot be done exactly, once."""
         if text not in self._said:
@@ -186,6 +200,9 @@ class DomeContext:
             return
         if self._bypasses:
             self.own.leave_straight()
+            return
+        if self._passing:
+            _ = self.seen  # later pictures may go by the perspectives of this one
             return
         if self._worn.dressing is None or self._stale or patch != self._patch or raster != self._raster:
             self._uncover()

@@ -1,0 +1,120 @@
+"""Pictures made by many workers: Dask hands out chunks of them, on this machine or on a cluster."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator
+from contextlib import ExitStack, suppress
+from dataclasses import replace
+from pathlib import Path
+from uuid import uuid4
+
+from distributed import Client, LocalCluster, Worker, WorkerPlugin, as_completed, get_worker
+
+from domeshim.errors import DomeError
+from domeshim.render.files import write
+from domeshim.render.maker import Made, Maker
+from domeshim.render.plan import Plan
+from domeshim.render.show import Progress
+
+
+class Keeper(WorkerPlugin):  # type: ignore[misc] # Dask's types are not looked at
+    """A worker's part: it keeps the plan's program alive from one chunk to the next."""
+
+    def __init__(self, plan: Plan, token: Path) -> None:
+        """token: a file in the output's folder; who sees it shares the storage, and writes there itself."""
+        self.name = f"domeshim-{token.name}"
+        self._plan = plan
+        self._token = token
+        self._maker: Maker | None = None
+
+    def teardown(self, worker: Worker) -> None:  # noqa: ARG002 - Dask's own signature
+        """The worker ends."""
+        if self._maker is not None:
+            self._maker.close()
+
+    def make(self, frames: tuple[int, ...]) -> list[Made]:
+        """Make these pictures; their files' contents come with them where the storage is not shared."""
+        if self._maker is None:
+            self._maker = Maker(self._plan)
+        shared = self._token.exists()
+        return [self._written(made) if shared else made for made in self._maker.make(frames)]
+
+    def _written(self, made: Made) -> Made:
+        if made.content:
+            write(self._plan.path(made.frame, made.eye), made.content)
+        return replace(made, content=b"")
+
+
+def make_chunk(name: str, frames: tuple[int, ...]) -> list[Made]:
+    """A task: make these pictures on the worker where it runs; name: of the plugin there."""
+    keeper = get_worker().plugins[name]
+    assert isinstance(keeper, Keeper)
+    return keeper.make(frames)
+
+
+class Farm:
+    """Many workers: so many local processes, or those of a running scheduler.
+
+    Each worker passes by, undrawn, the pictures that others make. A lost worker's chunk is done elsewhere.
+    """
+
+    def __init__(
+        self, workers: int, cluster: str | None = None, chunk: int = 24, seed: int | None = None
+    ) -> None:
+        """seed: hands out the chunks in an order of its own."""
+        self._workers = workers
+        self._cluster = cluster
+        self._chunk = chunk
+        self._seed = seed
+
+    def make(self, plan: Plan, frames: list[int], progress: Progress) -> Iterator[Made]:  # noqa: ARG002 - the crew's
+        """Make these pictures; a chunk's come together, when the last of them is made.
+
+        Raises DomeError where there is no scheduler.
+        """
+        chunks = [tuple(frames[i : i + self._chunk]) for i in range(0, len(frames), self._chunk)]
+        if self._seed is not None:
+            random.Random(self._seed).shuffle(chunks)
+        with ExitStack() as stack:
+            token = plan.output / f".{uuid4().hex}"
+            write(token, b"")
+            stack.callback(token.unlink, missing_ok=True)
+            client = self._client(stack)
+            keeper = Keeper(plan, token)
+            client.register_plugin(keeper)
+            stack.callback(_forget, client, keeper.name)
+            yield from _collect(client, keeper.name, plan, chunks)
+
+    def seams(self, frames: list[int]) -> list[int]:
+        """The first picture of each chunk but the first."""
+        return frames[self._chunk :: self._chunk]
+
+    def _client(self, stack: ExitStack) -> Client:
+        if self._cluster is None:
+            cluster = LocalCluster(n_workers=self._workers, threads_per_worker=1, dashboard_address=None)
+            return stack.enter_context(Client(stack.enter_context(cluster)))
+        try:
+            return stack.enter_context(Client(self._cluster, timeout=10))
+        except (OSError, ValueError) as error:
+            raise DomeError(f"--cluster={self._cluster}: no scheduler answers there ({error})") from None
+
+
+def _collect(client: Client, name: str, plan: Plan, chunks: list[tuple[int, ...]]) -> Iterator[Made]:
+    futures = {
+        client.submit(make_chunk, name, chunk, pure=False, priority=-number): chunk
+        for number, chunk in enumerate(chunks)
+    }
+    for future in as_completed(futures):
+        try:
+            done = future.result()
+        except Exception as error:  # whatever became of the worker
+            reason = f"lost with its worker: {error}"
+            done = [Made(frame, eye, error=reason) for frame in futures[future] for eye in plan.eyes]
+        future.release()
+        yield from done
+
+
+def _forget(client: Client, name: str) -> None:
+    with suppress(Exception):  # the scheduler may have gone
+        client.unregister_worker_plugin(name)
