@@ -83,7 +83,9 @@ def _plan(prog: str, args: tuple[str, ...], given: dict[str, Any]) -> Plan:
     if side > LARGEST_SIDE:
         raise OptionError(f"--supersample: {side} pixels would have to be drawn; at most {LARGEST_SIDE}")
     fields = {field: given[field] for field in FIELDS_OFF_SCREEN if given[field] is not None}
-    settings = {"hud": "off", **settings_in_environment(), **fields}
+    settings = {"hud": "off", "preset": "domemaster", **settings_in_environment(), **fields}
+    if "config" in settings:
+        settings["config"] = str(Path(settings["config"]).absolute())
     options_given(True, settings)  # malformed ones are said here, not by a worker
     reel = Reel(
         prog if module else str(Path(prog).absolute()),

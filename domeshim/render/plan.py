@@ -9,6 +9,7 @@ from pathlib import Path
 
 from domeshim import __version__
 from domeshim.errors import OptionError
+from domeshim.options import Options
 
 SUFFIXES = ("png", "tif")
 
@@ -80,7 +81,8 @@ class Plan:
     def fingerprint(self) -> str:
         """The same for all that gives the same pictures; a file of another plan does not count as made."""
         reel = self.reel
-        said = (reel.program, reel.arguments, reel.module, sorted(reel.settings.items()), reel.side, reel.fps)
+        options = repr(Options.from_environment({}, reel.settings))
+        said = (reel.program, reel.arguments, reel.module, options, reel.side, reel.fps)
         digest = hashlib.sha256(json.dumps([__version__, self.size, self.suffix, *said]).encode())
         if not reel.module and Path(reel.program).is_file():
             digest.update(Path(reel.program).read_bytes())
