@@ -66,6 +66,7 @@ _SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "glDeleteLists": (None, (_UINT, _INT)),
     "glColorMask": (None, (c_ubyte,) * 4),
     "glClear": (None, (c_uint,)),
+    "glDepthMask": (None, (c_ubyte,)),
     "glDepthFunc": (None, (_ENUM,)),
     "glDepthRange": (None, (c_double, c_double)),
     "glStencilFunc": (None, (_ENUM, _INT, _UINT)),
@@ -87,6 +88,13 @@ _SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "glGenFramebuffers": (None, (_INT, POINTER(c_uint))),
     "glBindFramebuffer": (None, (_ENUM, _UINT)),
     "glDeleteFramebuffers": (None, (_INT, POINTER(c_uint))),
+    "glBlitFramebuffer": (None, (*(_INT,) * 8, c_uint, _ENUM)),
+    "glCheckFramebufferStatus": (_ENUM, (_ENUM,)),
+    "glGenRenderbuffers": (None, (_INT, POINTER(c_uint))),
+    "glBindRenderbuffer": (None, (_ENUM, _UINT)),
+    "glDeleteRenderbuffers": (None, (_INT, POINTER(c_uint))),
+    "glRenderbufferStorageMultisample": (None, (_ENUM, _INT, _ENUM, _INT, _INT)),
+    "glFramebufferRenderbuffer": (None, (_ENUM, _ENUM, _ENUM, _UINT)),
     "glFramebufferTexture2D": (None, (_ENUM, _ENUM, _ENUM, _UINT, _INT)),
     "glPolygonMode": (None, (_ENUM, _ENUM)),
     "glLogicOp": (None, (_ENUM,)),
@@ -170,19 +178,26 @@ class Driver:
         self.glGetDoublev(name, values)
         return tuple(values)
 
+    def address(self, name: str) -> int:
+        """Where the entry point of any name is; 0 where this GL has none."""
+        return _address(name)
+
 
 def _look_up(name: str) -> Any:
-    from OpenGL.platform import PLATFORM  # noqa: PLC0415 - only once the program has a window
-
     if name not in _SIGNATURES:
         raise AttributeError(name)
     result, arguments = _SIGNATURES[name]
     prototype = ctypes.CFUNCTYPE(result, *arguments)
-    address = None
-    try:
-        address = ctypes.cast(getattr(PLATFORM.GL, name), c_void_p).value
-    except AttributeError:
-        address = PLATFORM.getExtensionProcedure(name.encode())
+    address = _address(name)
     if not address:
         raise DriverError(f"this machine's OpenGL has no {name}; run `domeshim doctor` to see what it has")
     return prototype(address)
+
+
+def _address(name: str) -> int:
+    from OpenGL.platform import PLATFORM  # noqa: PLC0415 - only once the program has a window
+
+    try:
+        return ctypes.cast(getattr(PLATFORM.GL, name), c_void_p).value or 0
+    except AttributeError:
+        return int(PLATFORM.getExtensionProcedure(name.encode()) or 0)

@@ -43,6 +43,17 @@ class Options:
     display: int | None = None
     keep_going: bool = False
 
+    @property
+    def cubemap(self) -> bool:
+        """The method is cubemap."""
+        return self.method.startswith("cubemap")
+
+    @property
+    def face_size(self) -> int | None:
+        """Pixels across a face of the cube where the user says so."""
+        size = self.method.partition(":")[2]
+        return int(size) if size else None
+
     @classmethod
     def from_environment(
         cls, environ: Mapping[str, str] | None = None, given: Mapping[str, str] | None = None
@@ -116,6 +127,7 @@ def parse_size(text: str) -> tuple[int, int]:
 
 LARGEST_SIDE = 16384
 """The most pixels a side may have: the largest frame buffer that today's drivers offer."""
+_SMALLEST_FACE = 16
 
 
 @dataclass(frozen=True)
@@ -180,6 +192,16 @@ def _choice(names: Collection[str], later: Collection[str] | None = ()) -> Calla
     return parse
 
 
+def _method(text: str) -> str:
+    name, colon, size = (part.strip() for part in text.partition(":"))
+    _choice(("auto", "paper", "vertex", "tessellate", "geometry", "cpu", "cubemap"))(name)
+    if colon and name != "cubemap":
+        raise ValueError(f"{name} takes no numbers")
+    if colon and not (size.isdecimal() and _SMALLEST_FACE <= int(size) <= LARGEST_SIDE):
+        raise ValueError("not the size of a cube's face")
+    return f"{name}:{int(size)}" if colon else name
+
+
 def _flag(text: str) -> bool:
     if text not in ("1", "on", "yes", "true", "0", "off", "no", "false"):
         raise ValueError("neither on nor off")
@@ -215,8 +237,8 @@ _SETTINGS = {
     "config": _Setting("a dome.toml", str),
     "lens": _Setting(catalogue.ACCEPTED, str, catalogue.lens_named),
     "method": _Setting(
-        "auto, paper, vertex, tessellate, geometry, cpu",
-        _choice(("auto", "paper", "vertex", "tessellate", "geometry", "cpu"), later=("cubemap",)),
+        "auto, paper, vertex, tessellate, geometry, cpu, cubemap, cubemap:SIZE (pixels from 16 to 16384)",
+        _method,
     ),
     "tolerance": _Setting("pixels, at least 0.01", _number(lambda pixels: pixels >= 0.01)),
     "hud": _Setting("panel, flat, off", _choice(("panel", "flat", "off"), later=("side",))),

@@ -51,6 +51,7 @@ def test_nothing_set_gives_the_defaults():
         ("DOME_KEEP_GOING", "1", "keep_going", True),
         ("DOME_TOLERANCE", "0.1", "tolerance", 0.1),
         ("DOME_METHOD", "tessellate", "method", "tessellate"),
+        ("DOME_METHOD", "Cubemap: 512", "method", "cubemap:512"),
         ("DOME_SURFACE", "Dome", "fov", 180.0),
     ],
 )
@@ -85,7 +86,8 @@ def test_what_is_accepted(variable, text, field, value):
         ("DOME_LENS", "polynomial:1,2,3,4,5,6", "polynomial takes 1 to 5 numbers, not 6"),
         ("DOME_LENS", "polynomial:1,,2", "not a number"),
         ("DOME_LENS", "polynomial:inf", "not a finite number"),
-        ("DOME_METHOD", "cubemap", "DOME_METHOD=cubemap: not available in this version; accepted: auto, "),
+        ("DOME_METHOD", "cubemap:8", "DOME_METHOD=cubemap:8: not the size of a cube's face; "),
+        ("DOME_METHOD", "vertex:8", "DOME_METHOD=vertex:8: vertex takes no numbers; accepted: auto, "),
         ("DOME_METHOD", "fast", "DOME_METHOD=fast: not known; accepted: auto, paper, vertex, tessellate"),
         ("DOME_HUD", "side", "DOME_HUD=side: not available in this version; accepted: panel, flat, off"),
         ("DOME_PANEL", "180", "out of range"),

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from ctypes import c_float
+from typing import Literal
 
 import numpy as np
 
+from domeshim.draw.canvas import Canvas
 from domeshim.draw.over import way_cleared
 from domeshim.driver import Driver
 from domeshim.lens.models import Lens
@@ -15,12 +17,11 @@ from domeshim.shading.program import Program
 from domeshim.shading.snippets import snippet
 from domeshim.state.perspective import Matrix
 from domeshim.state.scissor import Edges
-from domeshim.window.frame import Frame
 
 COLOR, DEPTH, STENCIL = 0x4000, 0x0100, 0x0400
 _TRIANGLES, _ALWAYS, _REPLACE, _DEPTH_TEST, _STENCIL_TEST = 4, 0x0207, 0x1E01, 0x0B71, 0x0B90
 _COLOR_CLEAR_VALUE, _DEPTH_CLEAR_VALUE, _STENCIL_CLEAR_VALUE = 0x0C22, 0x0B73, 0x0B91
-_CELLS = 64 * 128
+_CELLS, _DRAW_FRAMEBUFFER = 64 * 128, 0x8CA9
 
 
 class PartClear:
@@ -34,7 +35,7 @@ class PartClear:
         self._orientation = orientation
         self._program: Program | None = None
 
-    def clear(self, mask: int, frame: Frame, camera: Matrix, edges: Edges) -> None:
+    def clear(self, mask: int, canvas: Canvas, camera: Matrix, edges: Edges) -> None:
         """Clear the buffers of a glClear mask to the program's own clear values.
 
         camera: (3, 3), a direction's x, y and w in the main view; edges: in that view, only inner ones cut.
@@ -42,10 +43,15 @@ class PartClear:
         gl = self._driver
         with way_cleared(gl):
             gl.glDepthRange(0.0, 1.0)
-            gl.glViewport(*frame.square)
             self._choose_buffers(mask)
-            self._set_up(camera, edges)
-            gl.glDrawArrays(_TRIANGLES, 0, 6 * _CELLS)
+            program = self._set_up(canvas.kind, camera, edges)
+            gl.glBindFramebuffer(_DRAW_FRAMEBUFFER, canvas.framebuffer)
+            for view in canvas.views:
+                gl.glViewport(*view.viewport)
+                for name, values in view.uniforms:
+                    program.set(name, values)
+                gl.glDrawArrays(_TRIANGLES, 0, 6 * _CELLS if canvas.kind == "disc" else 6)
+            gl.glBindFramebuffer(_DRAW_FRAMEBUFFER, 0)
 
     def _choose_buffers(self, mask: int) -> None:
         gl = self._driver
@@ -59,11 +65,12 @@ class PartClear:
             gl.glStencilFunc(_ALWAYS, gl.integer(_STENCIL_CLEAR_VALUE), 0xFFFFFFFF)
             gl.glStencilOp(_REPLACE, _REPLACE, _REPLACE)
 
-    def _set_up(self, camera: Matrix, edges: Edges) -> None:
+    def _set_up(self, kind: Literal["disc", "face"], camera: Matrix, edges: Edges) -> Program:
         gl = self._driver
         if self._program is None:
             seen_along = "aim/seen_seated" if self._orientation.off_centre else "aim/seen_centred"
-            names = (f"lens/{self._lens.name}", seen_along, "frame/clear.vert")
+            disc = (f"lens/{self._lens.name}", seen_along, "frame/clear.vert")
+            names = disc if kind == "disc" else ("frame/clear_face.vert",)
             vertex = Source.join((name, snippet(name)) for name in names)
             fragment = Source.join([("frame/clear.frag", snippet("frame/clear.frag"))])
             self._program = Program(gl, vertex, fragment)
@@ -72,12 +79,14 @@ class PartClear:
         color = (c_float * 4)()
         gl.glGetFloatv(_COLOR_CLEAR_VALUE, color)
         gl.glUseProgram(self._program.name)
-        self._program.set("domeLens", self._lens.uniform)
-        for uniform, values in self._orientation.uniforms:
-            self._program.set(uniform, values)
-        self._program.set("domeHalf", (self._half,))
+        if kind == "disc":
+            self._program.set("domeLens", self._lens.uniform)
+            for uniform, values in self._orientation.uniforms:
+                self._program.set(uniform, values)
+            self._program.set("domeHalf", (self._half,))
         self._program.set("domeDepth", (2 * gl.doubles(_DEPTH_CLEAR_VALUE, 1)[0] - 1,))
         self._program.set("domeSeen", tuple(seen.T.ravel()))
         self._program.set("domeEdges", edges.bounds)
         self._program.set("domeSides", tuple(float(i in edges.inner) for i in range(4)))
         self._program.set("domeColor", tuple(color))
+        return self._program

@@ -17,6 +17,27 @@ if TYPE_CHECKING:
     from domeshim.state.subdivision import Subdivision
 
 
+class ListedDraw:
+    """A draw in a display list that is made once for each of several views."""
+
+    def __init__(self, context: DomeContext, name: int, *, at_raster: bool) -> None:
+        """name: of GL's own list that holds it, and nothing beside it."""
+        self._context = context
+        self._name = name
+        self._at_raster = at_raster
+
+    def __call__(self) -> None:
+        """Make it."""
+        if self._at_raster:
+            self._context.draw_at_raster(partial(self._context.driver.glCallList, self._name))
+        else:
+            self._context.draw_list(self._name)
+
+    def names(self) -> list[int]:
+        """The GL list, to be deleted with it."""
+        return [self._name]
+
+
 class ListedMesh:
     """One run in a display list, drawn in whichever way this call's view needs."""
 

@@ -60,7 +60,7 @@ def _draw(
     dome.drawing()
     if context.may_subdivide and mode != _POINTS and dome.draw_arrays(int(mode), vertices()):
         return None
-    return context.draw(whole)
+    return None if dome.listed(whole) else context.draw(whole)
 
 
 def writes_buffer(dome: Dome, original: Call) -> Call:

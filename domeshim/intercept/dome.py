@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from domeshim.draw.arrays import ArrayDraws
 from domeshim.draw.extent import Extent
-from domeshim.draw.listed import ListedMesh
+from domeshim.draw.listed import ListedDraw, ListedMesh
 from domeshim.draw.materials import material_run
 from domeshim.draw.rim import Rim
+from domeshim.draw.subdivide import at_once
 from domeshim.draw.submit import Submitter
 from domeshim.driver import Driver
 from domeshim.record.arrays import ArrayReader, Elements
@@ -62,7 +64,7 @@ class WindowDome:
         """around: the outermost window's, where this one lies inside another."""
         main = around.context.placer.main if around else None
         self.context: DomeContext = DomeContext(session.options, frame, driver, main)
-        self.lists = DisplayLists(driver)
+        self.lists = DisplayLists(driver, apart=self.context.several)
         self.submitter = Submitter(driver)
         self.arrays = ArrayReader(driver)
         self.array_draws = ArrayDraws(self.context, self.submitter)
@@ -113,8 +115,18 @@ class Dome:
     def window_closed(self, window: Window) -> None:
         """The window's context is about to go."""
         closed = self._windows.pop(window, None)
+        if closed is not None and closed.context.canvas.framebuffer:
+            self._free(closed, window)
         if self._current is closed:
             self.window_current(None)
+
+    def _free(self, closed: WindowDome, window: Window) -> None:
+        """Free what a closing window's canvas holds; it need not be the current one."""
+        current = self._session.window
+        window.make_current()
+        closed.context.canvas.close()
+        if current is not None and current is not window:
+            current.make_current()
 
     def program_place(self, window: Window, x: float, y: float) -> tuple[float, float]:
         """Where the program would see a place of the frame in its window; pixels, origin at the top left."""
@@ -174,14 +186,23 @@ class Dome:
         if recorder.blocks and current.context.passing and not recorder.extras and self.building is None:
             current.context.draw(lambda: current.submitter.skip(recorder))
         elif recorder.extras:
-            context = current.context
-            current.submitter.replay(recorder, lambda draw: context.draw(inside_block(context)(draw)))
+            current.submitter.replay(recorder, self._draw_inside_block)
         elif self.building is not None and self._keeps(self.building):
             self.keep_mesh(recorder.take())
+        elif self.building is None:
+            current.submitter.submit(recorder, current.context)
         else:
-            if self.building is not None:
-                self.building.used = True
-            current.submitter.submit(recorder, current.context, compiling=self.building is not None)
+            self.building.used = True
+            draw = partial(current.submitter.submit, recorder, current.context, compiling=True)
+            if not recorder.blocks or not self.listed(draw):
+                draw()
+
+    def _draw_inside_block(self, draw: Callable[[], object]) -> None:
+        """Make a draw that is between glBegin and glEnd all the while."""
+        assert self.context is not None
+        inside = inside_block(self.context)(draw)
+        if not self.listed(inside):
+            self.context.draw(inside)
 
     def _keeps(self, building: Building) -> bool:
         """What was recorded for a display list becomes a mesh of its own there."""
@@ -201,6 +222,18 @@ class Dome:
         assert building is not None
         building.meshes += 1
         current.lists.keep_mesh(lambda: ListedMesh(run, current.context, current.submitter, current.lists))
+
+    def listed(self, draw: Callable[[], object], *, at_raster: bool = False) -> bool:
+        """Put a draw into the display list that is being built, as a part of its own; whether that is due.
+
+        It is where a draw is made more than once: what else is in the list must not be.
+        """
+        current = self._current
+        if self.building is None or current is None or not current.context.several:
+            return False
+        context, lists = current.context, current.lists
+        lists.keep_mesh(lambda: ListedDraw(context, lists.compile(draw), at_raster=at_raster))
+        return True
 
     def draw_arrays(self, mode: int, indices: range | Elements) -> bool:
         """Draw from the program's vertex arrays where that needs more than GL's own draw; False where not."""
@@ -236,6 +269,8 @@ class Dome:
                 self.keep_mesh(run)
                 return
             building.used = True
+            if self.listed(partial(current.submitter.draw, run, at_once)):
+                return
         subdivision = context.subdivision(extent) if extent is not None else None
         current.submitter.draw_as_needed(run, context, subdivision)
 
@@ -277,7 +312,8 @@ class Dome:
         """The picture is complete: cut it at the rim."""
         self.flush()
         ended = self._windows[window]
-        ended.context.undress()
         if ended.context.passing:
+            ended.context.undress()
             return
+        ended.context.settle()
         ended.rim.draw(ended.context.frame, ended.context.rim)

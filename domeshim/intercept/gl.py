@@ -21,6 +21,8 @@ from domeshim.intercept.lists import call_list, call_lists, delete_lists, end_li
 from domeshim.intercept.state_calls import (
     active_texture,
     attributes,
+    bare,
+    binds_framebuffer,
     color_material,
     draw,
     frustum,
@@ -48,7 +50,7 @@ _BEGINS_DRAWING = re.compile(
     r"gl(Begin|Rect[dfis]v?|Draw(Arrays|Elements|RangeElements|Pixels)\w*|MultiDraw\w+|EvalMesh[12]|CallLists?"
     r"|Bitmap|CopyPixels)"
 )
-_AT_RASTER = re.compile(r"gl(Bitmap|DrawPixels\w*|CopyPixels)")
+_AT_RASTER = re.compile(r"gl(Bitmap|DrawPixels\w*)")
 _RASTER_POSITIONS = re.compile(r"glRasterPos\d?[dfis]?v?")
 _WINDOW_POSITIONS = re.compile(r"glWindowPos\d[dfis]v?")
 _LIGHTING = re.compile(r"gl(Light(|[fi]v?)|LightModel(|[fi]v?))")
@@ -57,7 +59,9 @@ _REST = re.compile(r"gl(Fog(|[fi]v?)|PointParameter(|[fi]v?)|ShadeModel)")
 _LOADS = re.compile(r"gl(Load|Mult)(Transpose)?Matrix[df]?")
 _GETS = re.compile(r"glGet(Boolean|Double|Float|Integer)(v|)|glIsEnabled")
 _READ_PIXELS = re.compile(r"glReadPixels(b|d|f|i|s|ub|ui|us)?")
-_READS = re.compile(r"glReadPixels\w*|glCopyTex\w+")
+_READS = re.compile(r"glReadPixels\w*|glCopyTex\w+|glBlitFramebuffer")
+_BINDS_FRAMEBUFFER = re.compile(r"gl(Bind|Delete)Framebuffers?")
+_OF_FRAMEBUFFER = re.compile(r"gl(Draw|Read)Buffers?|gl(?!Blit)\w*Framebuffer\w*")
 _UNIFORMS = re.compile(r"glUniform\w+")
 _RECTS = re.compile(r"glRect[dfis](v?)")
 _COLOR_BUFFER_BIT = 0x4000
@@ -204,6 +208,7 @@ _SPECIAL: Mapping[str, Maker] = {
     "glUniformMatrix4fv": shaders.uniform_matrix,
     "glRenderMode": render_mode,
     "glClear": kept_in_lists(pixels.clear),
+    "glCopyPixels": pixels.copied,
     "glAccum": kept_in_lists(read),
     "glGetHandle": read,
 }
@@ -213,9 +218,11 @@ _WRITES_BUFFER = re.compile(
 )
 _FAMILIES: tuple[tuple[re.Pattern[str], Maker], ...] = (
     (_WRITES_BUFFER, writes_buffer),
+    (_BINDS_FRAMEBUFFER, binds_framebuffer),
+    (_OF_FRAMEBUFFER, bare),
     (_DRAWS, draw),
     (_AT_RASTER, pixels.at_raster),
-    (_RASTER_POSITIONS, kept_in_lists(pixels.at_raster)),
+    (_RASTER_POSITIONS, kept_in_lists(pixels.raster_position)),
     (_WINDOW_POSITIONS, kept_in_lists(pixels.window_position)),
     (_UNIFORMS, shaders.uniform),
     (_LIGHTING, kept_in_lists(staling("lighting"))),

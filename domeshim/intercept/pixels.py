@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,14 +16,40 @@ if TYPE_CHECKING:
 Call = Callable[..., Any]
 
 
+def raster_position(dome: Dome, original: Call) -> Call:
+    """glRasterPos."""
+
+    def call(*args: Any) -> Any:
+        if dome.context is None:
+            return original(*args)
+        return dome.context.draw_at_raster(partial(original, *args), sets=True)
+
+    return call
+
+
 def at_raster(dome: Dome, original: Call) -> Call:
-    """glRasterPos, glBitmap, glDrawPixels, glCopyPixels."""
+    """glBitmap, glDrawPixels."""
 
     def call(*args: Any, **named: Any) -> Any:
-        if dome.context is not None:
-            dome.drawing()
-            dome.context.dress(raster=True)
-        return original(*args, **named)
+        context = dome.context
+        if context is None:
+            return original(*args, **named)
+        dome.drawing()
+        draw = partial(original, *args, **named)
+        return None if dome.listed(draw, at_raster=True) else context.draw_at_raster(draw)
+
+    return call
+
+
+def copied(dome: Dome, original: Call) -> Call:
+    """glCopyPixels: what is to be copied must be in the window."""
+
+    draw = at_raster(dome, original)
+
+    def call(*args: Any) -> Any:
+        if dome.context is not None and dome.building is None:
+            dome.context.settle(deep=True)
+        return draw(*args)
 
     return call
 
@@ -35,13 +62,7 @@ def window_position(dome: Dome, original: Call) -> Call:
         if context is None or not context.pixels.placed:
             return original(*args)
         x, y, z = (*_numbers(args), 0.0)[:3]
-        place = context.pixels.position(x, y, z)
-        if place is not None:
-            context.driver.glWindowPos3f(*place)
-            return None
-        context.dress(raster=True)
-        context.driver.glRasterPos2f(0.0, 0.0)  # goes nowhere
-        return None
+        return context.put_raster(context.pixels.positions(x, y, z))
 
     return call
 
@@ -59,13 +80,17 @@ def clear(dome: Dome, original: Call) -> Call:
         if context is None:
             return original(mask)
         context.undress()
+        if context.in_own_framebuffer:
+            return original(mask)
         if context.pixels.scissor_cuts:
             _clear_part(dome, context, int(mask))
             mask = int(mask) & ~_DRAWN
             if not mask:
                 return None
         with context.pixels.unscissored():
-            return original(mask)
+            original(mask)
+            context.canvas.clear(int(mask))
+        return None
 
     return call
 

@@ -54,7 +54,7 @@ def read_pixels(dome: Dome, original: Call) -> Call:
         context = dome.context
         if context is None:
             return original(x, y, width, height, format, *args, **named)
-        context.undress()
+        context.settle(deep=int(format) in (_DEPTH_COMPONENT, _DEPTH_STENCIL))
         dome.reading()
         area, kind = (int(x), int(y), int(width), int(height)), int(format)
         pixels = _pixels_of(context, area, kind) if _reads_window(context, area, kind) else None

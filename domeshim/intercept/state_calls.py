@@ -23,6 +23,10 @@ _TOUCHED = frozenset(
         0x0C10,  # GL_SCISSOR_BOX
         0x0C11,  # GL_SCISSOR_TEST
         0x8B8D,  # GL_CURRENT_PROGRAM
+        0x8CA6,  # GL_DRAW_FRAMEBUFFER_BINDING
+        0x0C01,  # GL_DRAW_BUFFER
+        *range(0x0D52, 0x0D58),  # GL_RED_BITS .. GL_STENCIL_BITS
+        *(0x80A8, 0x80A9),  # GL_SAMPLE_BUFFERS, GL_SAMPLES
         0x8458,  # GL_COLOR_SUM
         0x8643,  # GL_VERTEX_PROGRAM_TWO_SIDE
         0x8642,  # GL_VERTEX_PROGRAM_POINT_SIZE
@@ -59,12 +63,24 @@ def draw(dome: Dome, original: Call) -> Call:
         if dome.context is None:
             return original(*args, **named)
         dome.drawing()
-        return dome.context.draw(partial(original, *args, **named))
+        drawn = partial(original, *args, **named)
+        return None if dome.listed(drawn) else dome.context.draw(drawn)
 
     return call
 
 
 def read(dome: Dome, original: Call) -> Call:
+    """A call that must find the window's picture, and GL as the program left it."""
+
+    def call(*args: Any, **named: Any) -> Any:
+        if dome.context is not None:
+            dome.context.settle()
+        return original(*args, **named)
+
+    return call
+
+
+def bare(dome: Dome, original: Call) -> Call:
     """A call that must find GL as the program left it."""
 
     def call(*args: Any, **named: Any) -> Any:
@@ -84,6 +100,20 @@ def read_picture(dome: Dome, original: Call) -> Call:
         return call(*args, **named)
 
     return reading
+
+
+def binds_framebuffer(dome: Dome, original: Call) -> Call:
+    """A call after which draws may go to a framebuffer of the program's own, or to the window again."""
+
+    def call(*args: Any, **named: Any) -> Any:
+        if dome.context is None:
+            return original(*args, **named)
+        dome.context.undress()
+        result = original(*args, **named)
+        dome.context.framebuffer_bound()
+        return result
+
+    return call
 
 
 def get(dome: Dome, original: Call) -> Call:

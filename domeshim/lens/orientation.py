@@ -6,7 +6,7 @@ axis along -z; lengths in the dome's radii.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Literal
 
@@ -62,6 +62,11 @@ class Orientation:
     def turn(self) -> Floats:
         """(3, 3): eye space to the dome's."""
         return _roll(self.roll) @ _tilt(self.tilt) @ _heading(self.heading)
+
+    @property
+    def turned_only(self) -> Orientation:
+        """The same dome, seen and lit from its centre."""
+        return replace(self, seat=_CENTRE, projector=_CENTRE)
 
     @property
     def uniforms(self) -> tuple[tuple[str, tuple[float, ...]], ...]:

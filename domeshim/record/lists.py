@@ -53,8 +53,10 @@ class Building:
 class DisplayLists:
     """The lists of one context that consist of more than one part, and the one being built."""
 
-    def __init__(self, driver: Driver) -> None:
+    def __init__(self, driver: Driver, *, apart: bool = False) -> None:
+        """apart: what draws is kept in parts of its own; the others change state, and are called as is."""
         self._driver = driver
+        self._apart = apart
         self._lists: dict[int, list[Part]] = {}
         self._next = _OWN_NAMES
         self._depth = 0
@@ -99,7 +101,7 @@ class DisplayLists:
         self.building = None
         self._drop_unused(building)
         self.forget(building.name, 1)
-        if building.parts != [building.name]:
+        if self._apart or building.parts != [building.name]:
             self._lists[building.name] = building.parts
         return building
 
@@ -112,6 +114,7 @@ class DisplayLists:
         if self._depth >= _DEEPEST:
             return
         self._depth += 1
+        call_own = self._driver.glCallList if self._apart else call_own
         try:
             for part in parts:
                 if isinstance(part, int):

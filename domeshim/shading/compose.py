@@ -105,12 +105,15 @@ def _position(draft: Draft, recipe: Recipe) -> None:
     if mapping.aim != "straight":
         draft.need(f"aim/{mapping.aim}")
         draft.add("place = aimed(place);")
-    draft.need(f"lens/{mapping.lens}")
+    draft.need("bend/face" if mapping.face else f"lens/{mapping.lens}")
     if mapping.method == "paper":
         draft.need("bend/paper")
         draft.add("gl_Position = bent(place);")
     elif mapping.place == "panel":
         _panel_position(draft, recipe)
+    elif mapping.face:
+        draft.need("bend/face_point")
+        draft.add("gl_Position = bent(place);")
     else:
         draft.need("bend/vertex")
         draft.need("clip/cone" if mapping.wide else "clip/behind")
@@ -120,7 +123,7 @@ def _position(draft: Draft, recipe: Recipe) -> None:
 
 
 def _panel_position(draft: Draft, recipe: Recipe) -> None:
-    draft.need("bend/panel")
+    draft.need("bend/face_panel" if recipe.mapping.face else "bend/panel")
     draft.need("clip/panel")
     draft.add(
         "vec4 clip = gl_ProjectionMatrix * eye;",

@@ -42,7 +42,7 @@ void domeEmit() {
 }
 #define EmitVertex domeEmit
 """
-_NAMES = re.compile(r"\b(bent|lensRadius|aimed|inFront|insideViewport)\b")
+_NAMES = re.compile(r"\b(bent|onFace|lensRadius|aimed|inFront|insideViewport)\b")
 
 
 @dataclass(frozen=True)
@@ -53,6 +53,8 @@ class Landing:
     aim: Literal["straight", "turned", "seated"] = "straight"
     wide: bool = False
     """A field of view over 180 degrees."""
+    face: bool = False
+    """Onto the faces of a cube."""
 
 
 @dataclass(frozen=True)
@@ -112,10 +114,14 @@ def _joined(version: str, text: str, stage: Stage, landing: Landing, *, cut: boo
 def _before(stage: Stage, landing: Landing, *, cut: bool, planes: Planes) -> str:
     """What stands before the program's first declaration: our functions, and its main()'s new name."""
     names = ["own/land", f"lens/{landing.lens}", "bend/vertex", "bend/panel"]
+    if landing.face:
+        names[1:] = ["bend/face", "bend/face_point", "bend/face_panel"]
     if landing.aim != "straight":
         names.append(f"aim/{landing.aim}")
     if cut:
-        names += ["clip/cone" if landing.wide else "clip/behind", "clip/panel"]
+        names += (
+            ["clip/panel"] if landing.face else ["clip/cone" if landing.wide else "clip/behind", "clip/panel"]
+        )
     if planes == "clip vertex":
         names.append("own/planes")
     parts = [_NAMES.sub(lambda m: f"dome{m[0][0].upper()}{m[0][1:]}", snippet(name)) for name in names]
@@ -148,7 +154,7 @@ def _land(landing: Landing, *, cut: bool, planes: Planes) -> str:
     lines += ["} else if (domeMode > 0.5) {", "    vec4 place = domePlace(clip);"]
     lines += aimed
     lines.append("    gl_Position = domeBent(place);")
-    if cut:
+    if cut and not landing.face:
         lines.append(f"    gl_ClipDistance[{RIM_DISTANCE}] = domeInFront(place);")
     lines.append("}")
     return "\n".join(["void domeLand() {", *(f"    {line}" for line in lines), "}", ""])

@@ -111,6 +111,8 @@ class Mapping:
     """What is left out behind is a cone, not a half space."""
     near_behind: bool = False
     """Places close to straight behind are seen: edges there are cut finer."""
+    face: bool = False
+    """Onto the faces of a cube by plain perspectives, not through the lens."""
     sides: tuple[int, ...] = ()
     """The scissor's edges that cut a view on the dome: 0 left, 1 right, 2 bottom, 3 top."""
     raster: Literal["point", "nowhere"] | None = None
@@ -140,7 +142,9 @@ class Recipe:
 
     @property
     def _wanted(self) -> int:
-        return 0 if self.mapping.method == "paper" else 4 if self.mapping.place == "panel" else 1
+        if self.mapping.place == "panel":
+            return 4 if self.mapping.method != "paper" else 0
+        return 0 if self.mapping.method == "paper" or self.mapping.face else 1
 
     @property
     def _free(self) -> tuple[int, ...]:

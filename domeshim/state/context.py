@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from domeshim.draw.canvas import canvas_of
 from domeshim.draw.extent import Boxes, Extent
 from domeshim.driver import Driver
 from domeshim.lens.models import Lens, lens_of, rim_radius
@@ -24,6 +25,7 @@ from domeshim.shading.recipe import Patch, Scene
 from domeshim.state.own_programs import OwnPrograms
 from domeshim.state.perspective import Matrix
 from domeshim.state.placement import MainView, Placement, Placer
+from domeshim.state.raster import Point, RasterPoints
 from domeshim.state.scene import GROUPS, SceneState
 from domeshim.state.scissor import Edges, edges_of
 from domeshim.state.subdivision import Method, Subdivision, Tolerance, method_of
@@ -36,7 +38,9 @@ _VIEWPORT, _MATRIX_MODE, _MODELVIEW, _PROJECTION, _TEXTURE = 0x0BA2, 0x0BA0, 0x1
 _MODELVIEW_MATRIX, _PROJECTION_MATRIX, _CURRENT_PROGRAM = 0x0BA6, 0x0BA7, 0x8B8D
 _RASTERIZER_DISCARD = 0x8C89
 _PATCH_VERTICES, _CURRENT_AND_LIGHTING_BITS = 0x8E72, 0x0041
-_SCISSOR_TEST, _SCISSOR_BOX = 0x0C11, 0x0C10
+_SCISSOR_TEST, _SCISSOR_BOX, _DRAW_FRAMEBUFFER_BINDING = 0x0C11, 0x0C10, 0x8CA6
+_NOT_IN_WINDOW = frozenset(("render mode", "framebuffer"))
+"""Reasons to stay out of draws that leave no pixel in the window."""
 
 
 @dataclass(frozen=True)
@@ -78,7 +82,8 @@ class DomeContext:
         self._seen: Seen | None = None
         self._raster = False
         self._worn = Worn(driver)
-        self._several = False
+        self.canvas = canvas_of(driver, options, frame, self.lens, self.orientation, self.rim, self.say_once)
+        self._raster_points = RasterPoints(driver, self._worn)
         self._patch: Patch | None = None
 
     # What a call changed.
@@ -165,6 +170,23 @@ class DomeContext:
         """The user wants nothing of what is drawn there."""
         return self._wardrobe.hides(placement)
 
+    def settle(self, *, deep: bool = False) -> None:
+        """Let the window show what was drawn so far, say to be read; deep: its depths as well."""
+        self.undress()
+        if not self.compiling:
+            self.canvas.settle(deep=deep)
+
+    def framebuffer_bound(self) -> None:
+        """The program may have bound a framebuffer of its own, or the window again."""
+        own = self.driver.has("glBindFramebuffer") and self.driver.integer(_DRAW_FRAMEBUFFER_BINDING) != 0
+        self.bypass("framebuffer", on=own)
+        self._projection_stale = True
+
+    @property
+    def in_own_framebuffer(self) -> bool:
+        """What the program draws goes into a framebuffer of its own."""
+        return "framebuffer" in self._bypasses
+
     def bypass(self, reason: str, on: bool) -> None:
         """While any reason is on, draws go to GL as the program makes them."""
         (self._bypasses.add if on else self._bypasses.discard)(reason)
@@ -200,6 +222,8 @@ class DomeContext:
             return
         if self._bypasses:
             self.own.leave_straight()
+            if not self._bypasses & _NOT_IN_WINDOW:
+                self.canvas.settle(deep=True, straight=True)
             return
         if self._passing:
             _ = self.seen  # later pictures may go by the perspectives of this one
@@ -217,10 +241,7 @@ class DomeContext:
         What it leaves in GL beside pixels (the current colour, say) is as after one draw.
         """
         self.dress(patch)
-        return self._in_each_view(call) if self._several and not self.compiling else call()
-
-    def _in_each_view(self, call: Callable[[], object]) -> Any:
-        views = self._worn.dressing.views if self._worn.dressing is not None else ()
+        views = self._views_now
         for view in views[:-1]:
             self._worn.show(view)
             self.driver.glPushAttrib(_CURRENT_AND_LIGHTING_BITS)
@@ -230,9 +251,35 @@ class DomeContext:
             self._worn.show(views[-1])
         return call()
 
+    def draw_at_raster(self, call: Callable[[], object], *, sets: bool = False) -> Any:
+        """Make a call that draws at the raster position, or sets it, in each view; return its answer."""
+        self.dress(raster=True)
+        views = self._views_now
+        if not views:
+            return call()
+        return (self._raster_points.set if sets else self._raster_points.draw)(views, call)
+
+    def put_raster(self, points: Sequence[Point | None]) -> None:
+        """Set the raster position to places of the views in the framebuffer; None: out of a view's sight."""
+        self.dress(raster=True)
+        if self._raster_points.put(points):
+            return
+        self.driver.glRasterPos2f(0.0, 0.0)  # goes nowhere
+
+    @property
+    def several(self) -> bool:
+        """Draws are made more than once, in a view each."""
+        return len(self.canvas.views) > 1
+
+    @property
+    def _views_now(self) -> tuple[View, ...]:
+        """The views of the next draw where there are several."""
+        dressing = self._worn.dressing
+        return () if dressing is None or self.compiling or len(dressing.views) == 1 else dressing.views
+
     def draw_list(self, name: int, patch: Patch | None = None) -> None:
         """Draw one of GL's own lists; patch: as for dress."""
-        if self._several:
+        if self.several:
             self.draw(partial(self.driver.glCallList, name), patch)
             return
         self.dress(patch)  # the same with fewer calls: programs call thousands of lists a picture
@@ -302,6 +349,11 @@ class DomeContext:
 
     @frame.setter
     def frame(self, frame: Frame) -> None:
+        if frame != self._frame:
+            self.canvas.close()
+            self.canvas = canvas_of(
+                self.driver, self._options, frame, self.lens, self.orientation, self.rim, self.say_once
+            )
         self._frame = frame
         self._projection_stale = True
         vars(self).pop("tolerance", None)
@@ -370,22 +422,29 @@ class DomeContext:
         return np.array(self.driver.doubles(name, 16)).reshape(4, 4).T
 
     def _put_on(self, seen: Seen, scene: Scene) -> None:
-        placement, views = seen.placement, (View(self.frame.square),)
+        placement, canvas = seen.placement, self.canvas
         look = Look(placement, scene, seen.edges, self._patch, self._raster, self.own.fragments)
         if placement.hud and self._options.hud == "flat":
             self.own.leave_straight()
+            self.undress()
+            canvas.settle(deep=True, straight=True)
             part = None if seen.scissor is None else self.frame.flat(seen.scissor)
             self._wear(Dressing(0, (), (View(self.frame.flat(seen.viewport), part),)), seen)
         elif self.own.current is not None:
             enables = self.own.bend(placement, seen.projection, seen.edges, scene.clip_planes)
             enables = (*enables, *self._wardrobe.discard(look))
-            self._wear(Dressing(0, enables, views, self.own.current), seen)
+            self._wear(Dressing(0, enables, canvas.views, self.own.current, canvas.framebuffer), seen)
         else:
             outfit = self._wardrobe.outfit(look)
-            self._wear(Dressing(outfit.program.name, outfit.enables, views, outfit.program), seen)
+            program = outfit.program
+            self._wear(
+                Dressing(program.name, outfit.enables, canvas.views, program, canvas.framebuffer), seen
+            )
             self._wardrobe.send(outfit, look, self.tolerance)
 
     def _wear(self, dressing: Dressing, seen: Seen) -> None:
+        if dressing.uniforms is not None:
+            self.canvas.drawn(seen.placement.depth)
         self._worn.put_on(dressing, View(seen.viewport, seen.scissor), self._programs_own)
 
     @property

@@ -15,7 +15,7 @@ from domeshim.options import Options
 from domeshim.shading.exchange import OwnProgram, link
 from domeshim.shading.fragments import FragmentStage
 from domeshim.shading.own import EDGE_DISTANCES, RIM_DISTANCE, Landing
-from domeshim.state.perspective import Matrix, is_perspective, perspective_part
+from domeshim.state.perspective import Matrix, is_perspective, perspective_part, planar
 from domeshim.state.placement import Placement
 from domeshim.state.scene import GL_CLIP_PLANE0
 from domeshim.state.scissor import Edges
@@ -29,9 +29,10 @@ class OwnPrograms:
     def __init__(self, driver: Driver, options: Options, lens: Lens, orientation: Orientation) -> None:
         self._driver = driver
         self._lens = lens
-        self._orientation = orientation
+        self._orientation = orientation.turned_only if options.cubemap else orientation
         self._fov = np.radians(options.fov)
-        self._landing = Landing(lens.name, orientation.aim, wide=options.fov > 180)
+        aim = self._orientation.aim
+        self._landing = Landing(lens.name, aim, wide=options.fov > 180, face=options.cubemap)
         self._programs: dict[int, OwnProgram] = {}
         self._stages: dict[int, FragmentStage] = {}
         self._last: tuple[Placement, Matrix, tuple[float, ...]] | None = None
@@ -121,17 +122,19 @@ class OwnPrograms:
         panel = placement.place == "panel"
         own.set("domeMode", (2.0 if panel else 1.0,))
         own.set("domeFromClip", placement.view if panel else self._from_clip(placement, projection))
-        own.set("domeLens", self._lens.uniform)
-        own.set("domeDepth", placement.depth)
+        face = self._landing.face
+        own.set("domeDepth", planar(placement.depth) if face else placement.depth)
+        if not face:
+            own.set("domeLens", self._lens.uniform)
         for uniform, values in self._orientation.uniforms:
             own.set(uniform, values)
-        if self._landing.wide:
+        if self._landing.wide and not face:
             own.set("domeRim", cone(np.pi - self._fov / 2))
         own.set("domeEdges", edges.bounds)
         if not own.cut:
             return ()
         inner = (0, 1, 2, 3) if panel else edges.inner
-        wanted = (*(() if panel else (RIM_DISTANCE,)), *(EDGE_DISTANCES[i] for i in inner))
+        wanted = (*(() if panel or face else (RIM_DISTANCE,)), *(EDGE_DISTANCES[i] for i in inner))
         return tuple(GL_CLIP_PLANE0 + i for i in wanted if i not in planes)
 
     def _from_clip(self, placement: Placement, projection: Matrix) -> tuple[float, ...]:

@@ -90,6 +90,19 @@ class DepthRange:
         return (far + near) / (far - near), -2 * far * near / (far - near)
 
 
+def planar(by_distance: tuple[float, float]) -> tuple[float, float]:
+    """DepthRange.uniform where depth goes by the distance along a cube face's axis; (0, 0) stays.
+
+    Its near end comes closer by sqrt(3): a point in a face's corner lies that much nearer along the axis than
+    it is away. Nothing that is shown by distance may vanish.
+    """
+    a, b = by_distance
+    if b == 0:
+        return by_distance
+    near, far = -b / (1 + a) / float(np.sqrt(3.0)), b / (1 - a)
+    return (far + near) / (far - near), -2 * far * near / (far - near)
+
+
 def depth_range(p: Matrix) -> DepthRange:
     """Near and far of a perspective matrix; sane ones where the matrix has none that make sense."""
     a, b = p[2, 2] / -p[3, 2], p[2, 3] / -p[3, 2]

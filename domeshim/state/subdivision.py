@@ -48,7 +48,7 @@ class Subdivision(NamedTuple):
 
 def method_of(wanted: str, driver: Driver, say: Callable[[str], None]) -> Method | None:
     """The method that subdivides, given the user's; None for those that do not. What is missing is said."""
-    if wanted in ("paper", "vertex"):
+    if wanted.startswith(("paper", "vertex", "cubemap")):
         return None
     methods = list(_ORDER)
     first: Method = "tessellate" if wanted == "auto" else wanted  # type: ignore[assignment] # options.py

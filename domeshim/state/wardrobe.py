@@ -15,6 +15,7 @@ from domeshim.shading.geometry import compose_geometry
 from domeshim.shading.program import Program
 from domeshim.shading.recipe import PIECE_ATTRIBUTES, Mapping, Patch, Recipe, Scene
 from domeshim.shading.tessellation import compose_tessellated
+from domeshim.state.perspective import planar
 from domeshim.state.placement import Placement
 from domeshim.state.scene import GL_CLIP_PLANE0, GL_COLOR_SUM
 from domeshim.state.scissor import Edges
@@ -57,7 +58,7 @@ class Wardrobe:
         self._driver = driver
         self._options = options
         self._lens = lens
-        self._orientation = orientation
+        self._orientation = orientation.turned_only if options.cubemap else orientation
         self._programs: dict[Recipe, Program] = {}
         self._outfits: dict[tuple[object, ...], Outfit] = {}
         self._sent: dict[int, tuple[Placement, Edges, Tolerance]] = {}
@@ -128,6 +129,7 @@ class Wardrobe:
             aim=self._orientation.aim,
             wide=self._options.fov > 180 or self._options.method != "vertex",
             near_behind=self._options.fov > 180 or self._orientation.off_centre,
+            face=self._options.cubemap,
             sides=() if place == "panel" else look.edges.inner,
             raster=None if not look.raster else "nowhere" if hidden else "point",
         )
@@ -152,14 +154,17 @@ class Wardrobe:
     def _uniforms(
         self, mapping: Mapping, look: Look, tolerance: Tolerance
     ) -> list[tuple[str, tuple[float, ...]]]:
-        uniforms: list[tuple[str, tuple[float, ...]]] = [("domeLens", self._lens.uniform)]
+        uniforms: list[tuple[str, tuple[float, ...]]] = []
+        if not mapping.face:
+            uniforms.append(("domeLens", self._lens.uniform))
         if mapping.place == "panel" or mapping.sides:
             uniforms.append(("domeEdges", look.edges.bounds))
         if mapping.place != "modelview":
             uniforms.append(("domeView", look.placement.view))
         if mapping.place != "panel" and mapping.method == "vertex":
-            uniforms.append(("domeDepth", look.placement.depth))
-            if mapping.wide:
+            depth = look.placement.depth
+            uniforms.append(("domeDepth", planar(depth) if mapping.face else depth))
+            if mapping.wide and not mapping.face:
                 uniforms.append(("domeRim", cone(tolerance.left_out)))
         return [*uniforms, *self._orientation.uniforms]
 

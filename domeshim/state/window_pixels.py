@@ -8,9 +8,10 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from domeshim.draw.clear import PartClear
-from domeshim.lens.projection import disc_of
 from domeshim.options import Options
+from domeshim.state.perspective import planar
 from domeshim.state.pointer import Sight
+from domeshim.state.raster import Point
 from domeshim.state.region import Region, region_of
 from domeshim.state.scissor import Edges, in_view
 from domeshim.window.frame import Rectangle
@@ -35,22 +36,24 @@ class WindowPixels:
         """A place in the program's window is another one in the frame."""
         return not self._context.compiling and not self._context.bypassed
 
-    def position(self, x: float, y: float, depth: float) -> tuple[float, float, float] | None:
-        """Where a point of the program's window, and the depth there, are in the frame; None: hidden."""
+    def positions(self, x: float, y: float, depth: float) -> list[Point | None]:
+        """Where a point of the program's window, and the depth there, are in each view; None: hidden."""
         context = self._context
-        placement, frame = context.seen.placement, context.frame
+        placement, frame, canvas = context.seen.placement, context.frame, context.canvas
         if context.placer.has_perspective and self._options.hud == "off":
-            return None
+            return [None]
         if context.placer.has_perspective and self._options.hud == "flat":
-            return (*frame.flat((round(x), round(y), 0, 0))[:2], depth)
+            return [(*frame.flat((round(x), round(y), 0, 0))[:2], depth)]
         main = context.placer.through_window(frame)
         direction = main.direction(x, y)
-        disc = disc_of(direction, context.lens, context.orientation)
-        x0, y0, side, _ = frame.square
-        if placement.place != "panel":
-            a, b = placement.depth
-            depth = (a + b / main.distance(depth, direction) + 1) / 2
-        return float(x0 + (disc[0] + 1) * side / 2), float(y0 + (disc[1] + 1) * side / 2), depth
+        a, b = planar(placement.depth) if canvas.kind == "face" else placement.depth
+        found: list[Point | None] = []
+        for place in canvas.places(direction):
+            there = depth
+            if place is not None and placement.place != "panel":
+                there = (a + b / (main.distance(depth, direction) * place[2]) + 1) / 2
+            found.append((place[0], place[1], there) if place is not None else None)
+        return found
 
     @property
     def sight(self) -> Sight:
@@ -116,7 +119,8 @@ class WindowPixels:
             return
         if placement.place == "panel":
             edges = Edges(in_view(scissor, main.viewport), (0, 1, 2, 3))
-        self._part_clear.clear(mask, context.frame, main.camera[[0, 1, 3], :3], edges)
+        self._part_clear.clear(mask, context.canvas, main.camera[[0, 1, 3], :3], edges)
+        context.canvas.drawn((0.0, 0.0))
 
     @cached_property
     def _part_clear(self) -> PartClear:

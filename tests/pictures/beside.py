@@ -108,14 +108,15 @@ class Beside:
             self.session.window_closed(window)
             window.close()
 
-    def equal(self, scene: Scene, *, name: str = "", wrong: float = 0.002) -> Any:
+    def equal(self, scene: Scene, *, name: str = "", wrong: float = 0.002, **options: Any) -> Any:
         """Assert that both pictures of the scene are equal and both answers the same; returns the answer.
 
-        wrong: the share of the disc's pixels that may differ because an edge passes their centres.
+        wrong: the share of the disc's pixels that may differ because an edge passes their centres; options:
+        as for through_dome.
         """
         __tracebackhide__ = True
         name = name or scene.__name__
-        monitor, dome = self.monitor(scene), self.through_dome(scene)
+        monitor, dome = self.monitor(scene), self.through_dome(scene, **options)
         assert monitor.picture.std() > 1, f"{name}: nothing to see on the monitor"
         self.assert_equal(monitor.picture, dome.picture, name=name, wrong=wrong)
         assert_alike(dome.answer, monitor.answer)

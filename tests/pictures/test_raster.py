@@ -19,6 +19,7 @@ def pixels(width: int = 20, height: int = 14) -> np.ndarray:
 
 def write(gl: GL, count: int = 3) -> None:
     """Bitmaps side by side, as a bitmap font's characters are."""
+    gl.glPixelStorei(gl.GL_UNPACK_ALIGNMENT, 1)
     for _ in range(count):
         gl.glBitmap(16, 16, 2, 3, 18, 0, GLYPH)
 

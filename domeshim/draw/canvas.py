@@ -1,0 +1,99 @@
+"""What the dome's draws go onto: discs in the window itself, or what becomes the window's picture later."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Literal, Protocol
+
+from domeshim.driver import Driver
+from domeshim.lens.models import Floats, Lens
+from domeshim.lens.orientation import Orientation
+from domeshim.lens.projection import disc_of
+from domeshim.options import Options
+from domeshim.state.views import View
+from domeshim.window.frame import Frame
+
+Depth = tuple[float, float]
+"""The uniform domeDepth of a placement."""
+
+
+class Canvas(Protocol):
+    """Where a window's pictures come into being; the window must be current in all calls."""
+
+    kind: Literal["disc", "face"]
+    """How the dome's programs bend onto it."""
+    framebuffer: int
+    """Draws go to this one; 0: the window."""
+    views: tuple[View, ...]
+    """Each draw is made once in every one of them."""
+
+    def drawn(self, depth: Depth) -> None:
+        """Something is about to be drawn onto it by this domeDepth; (0, 0) on the panel."""
+
+    def settle(self, *, deep: bool = False, straight: bool = False) -> None:
+        """Let the window show what was drawn so far; the context must be undressed.
+
+        deep: its depths as well; straight: the window itself is about to be drawn to.
+        """
+
+    def clear(self, mask: int) -> None:
+        """Make a glClear of the program's on what is no part of the window."""
+
+    def places(self, direction: Floats) -> list[tuple[float, float, float] | None]:
+        """For each view x and y in pixels where a direction (3,) of eye space is seen, or None.
+
+        The third number is what its distance counts for in depth: its share ahead.
+        """
+
+    def close(self) -> None:
+        """Free what it holds of GL."""
+
+
+class DiscCanvas:
+    """The window: a disc for each eye."""
+
+    kind: Literal["disc", "face"] = "disc"
+    framebuffer = 0
+
+    def __init__(self, frame: Frame, lens: Lens, orientation: Orientation) -> None:
+        self._lens = lens
+        self._orientation = orientation
+        self.views: tuple[View, ...] = (View(frame.square),)
+
+    def drawn(self, depth: Depth) -> None:
+        """Nothing: the window has it."""
+
+    def settle(self, *, deep: bool = False, straight: bool = False) -> None:
+        """Nothing: the window has it."""
+
+    def clear(self, mask: int) -> None:
+        """Nothing: the program's own clears the window."""
+
+    def places(self, direction: Floats) -> list[tuple[float, float, float] | None]:
+        """As for Canvas."""
+        x, y = (disc_of(direction, self._lens, self._orientation) + 1) / 2
+        boxes = (view.viewport for view in self.views)
+        return [(float(left + x * w), float(bottom + y * h), 1.0) for left, bottom, w, h in boxes]
+
+    def close(self) -> None:
+        """Nothing."""
+
+
+def canvas_of(
+    driver: Driver,
+    options: Options,
+    frame: Frame,
+    lens: Lens,
+    orientation: Orientation,
+    rim: float,
+    say: Callable[[str], None],
+) -> Canvas:
+    """The canvas that the method draws onto; rim: where the picture ends on the disc; say: tells the user.
+
+    Raises DriverError where this GL cannot have it.
+    """
+    if not options.cubemap:
+        return DiscCanvas(frame, lens, orientation)
+    from domeshim.draw.cubemap import CubeCanvas  # noqa: PLC0415 - moderngl for this method alone
+
+    return CubeCanvas(driver, options, frame, lens, orientation, rim, say)

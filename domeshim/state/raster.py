@@ -1,0 +1,99 @@
+"""The raster position in each of several views: GL keeps one, and where the others are follows from it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from ctypes import c_float
+from typing import Any
+
+from domeshim.driver import Driver
+from domeshim.state.views import View, Worn
+
+Point = tuple[float, float, float]
+"""x, y in the framebuffer's pixels, and depth, 0 to 1."""
+
+_POSITION, _VALID, _RASTER_COLOR, _COLOR, _DEPTH_RANGE = 0x0B07, 0x0B08, 0x0B04, 0x0B00, 0x0B70
+_LIGHTING_BIT = 0x40
+_MOST = 4096
+"""So many positions are remembered: attribute stacks may bring any of them back."""
+
+
+class RasterPoints:
+    """Makes calls at the raster position in each view of one context."""
+
+    def __init__(self, driver: Driver, worn: Worn) -> None:
+        self._driver = driver
+        self._worn = worn
+        self._known: dict[Point, tuple[Point | None, ...]] = {}
+
+    def set(self, views: Sequence[View], call: Callable[[], object]) -> Any:
+        """Make a call that sets the position; it is where the first view that sees it has it."""
+        points, result = [], None
+        for view in views:
+            self._worn.show(view)
+            result = call()
+            points.append(self._now())
+        self._remember(points)
+        return result
+
+    def put(self, points: Sequence[Point | None]) -> bool:
+        """Set the position to given places of the views; whether any view has one."""
+        for point in points:
+            if point is not None:
+                self._driver.glWindowPos3f(*point)
+                break
+        now = self._now()
+        if now is None or not any(points):
+            return False
+        self._known[now] = tuple(points)
+        return True
+
+    def draw(self, views: Sequence[View], call: Callable[[], object]) -> Any:
+        """Make a call that draws at the position, and may move it on."""
+        now = self._now()
+        points = self._known.get(now) if now is not None else None
+        if points is None or len(points) != len(views):
+            return call()  # nowhere, or where GL's own beginning puts it
+        moved: list[Point | None] = []
+        result = None
+        for view, point in zip(views, points, strict=True):
+            if point is None:
+                moved.append(None)
+                continue
+            self._worn.show(view)
+            self._move(point)
+            result = call()
+            moved.append(self._now())
+        self._remember(moved)
+        return result
+
+    def _remember(self, points: Sequence[Point | None]) -> None:
+        first = next((point for point in points if point is not None), None)
+        if first is None:
+            return
+        self._move(first)
+        if len(self._known) >= _MOST:
+            self._known.clear()
+        self._known[self._now() or first] = tuple(points)
+
+    def _now(self) -> Point | None:
+        if not self._driver.integer(_VALID):
+            return None
+        x, y, z, _ = self._driver.doubles(_POSITION, 4)
+        return x, y, z
+
+    def _move(self, point: Point) -> None:
+        """Put GL's position there; what is drawn at it keeps the colour that it had."""
+        gl = self._driver
+        if self._now() == point:
+            return
+        near, far = gl.doubles(_DEPTH_RANGE, 2)
+        depth = (point[2] - near) / (far - near) if far != near else 0.0
+        at_position, current = (c_float * 4)(), (c_float * 4)()
+        gl.glGetFloatv(_RASTER_COLOR, at_position)
+        gl.glGetFloatv(_COLOR, current)
+        gl.glPushAttrib(_LIGHTING_BIT)  # a material may follow the colour
+        gl.glColor4f(*at_position)
+        gl.glWindowPos3f(point[0], point[1], depth)
+        gl.glColor4f(*current)
+        gl.glPopAttrib()
