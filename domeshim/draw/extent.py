@@ -92,7 +92,7 @@ class Extent:
         direction: unit vector in eye space; to_eye: as for largest_angle.
         """
         matrix = np.reshape(to_eye, (4, 4)).T
-        if matrix[3, :3].any() or matrix[3, 3] <= 0:
+        if matrix[3, :3].any() or matrix[3, 3] <= 0 or not math.isfinite(self.radius):
             return 0.0
         centre = matrix[:3] @ (*self.centre, 1.0)
         distance = float(np.linalg.norm(centre))
@@ -131,7 +131,7 @@ class Boxes:
         eye = -np.linalg.solve(turn, to_eye[:3, 3])
         beside = np.maximum(np.maximum(self.low - eye, eye - self.high), 0)
         nearest = scales[2] * np.sqrt((beside * beside).sum(1))
-        sure = nearest > 0
+        sure = (nearest > 0) & np.isfinite(self.longest)
         most[sure] = 2 * np.arctan(scales[0] * self.longest[sure] / (2 * nearest[sure]))
         return most
 

@@ -81,7 +81,13 @@ def longest_edge(positions: NDArray[np.floating], primitives: Indices) -> float:
     """The length of the longest edge. positions: (n, 3 or 4); primitives: (m, 1, 2 or 3) indices."""
     if primitives.shape[1] == 1 or not len(primitives):
         return 0.0
-    points = positions[primitives, :3]
-    edges = points - np.roll(points, 1, 1)
-    longest = np.einsum("pij,pij->pi", edges, edges).max()
-    return float(np.sqrt(longest)) if np.isfinite(longest) else np.inf
+    longest = longest_edges(positions[primitives, :3]).max()
+    return float(longest) if np.isfinite(longest) else np.inf
+
+
+def longest_edges(corners: NDArray[np.floating]) -> NDArray[np.floating]:
+    """The length of each primitive's longest edge; nan or inf without a place. corners: (m, 2 or 3, 3)."""
+    with np.errstate(invalid="ignore"):
+        edges = corners - np.roll(corners, 1, 1)
+    longest: NDArray[np.floating] = np.sqrt(np.einsum("pij,pij->pi", edges, edges).max(1))
+    return longest

@@ -10,7 +10,17 @@ from operator import itemgetter
 import numpy as np
 
 from domeshim.draw.extent import Boxes, Extent
-from domeshim.draw.patches import POINTS, TRIANGLES, Indices, Kind, corners, kind_of, longest_edge, outlines
+from domeshim.draw.patches import (
+    POINTS,
+    TRIANGLES,
+    Indices,
+    Kind,
+    corners,
+    kind_of,
+    longest_edge,
+    longest_edges,
+    outlines,
+)
 from domeshim.record.immediate import Block, Run, stretches
 
 _LINE, _POINT, FILL = 0x1B01, 0x1B00, 0x1B02
@@ -39,12 +49,10 @@ def parts_of(run: Run) -> Parts | None:
     triangles = kinds[0][1]
     starts = np.arange(0, len(triangles), _OF_A_PART)
     points = run.positions[triangles]
-    edges = points - np.roll(points, 1, 1)
-    longest = np.sqrt(np.einsum("pij,pij->pi", edges, edges).max(1))
     boxes = Boxes(
         np.minimum.reduceat(points.min(1), starts),
         np.maximum.reduceat(points.max(1), starts),
-        np.maximum.reduceat(longest, starts),
+        np.maximum.reduceat(longest_edges(points), starts),
     )
     return Parts(tuple(_part(run, triangles[a : a + _OF_A_PART]) for a in starts), boxes)
 
