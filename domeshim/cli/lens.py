@@ -8,14 +8,17 @@ from typing import TYPE_CHECKING
 
 import click
 import numpy as np
+from numpy.typing import NDArray
 
-from domeshim.cli.settings import dome_options, options_given
-from domeshim.errors import OptionError
+from domeshim.cli.settings import FIELDS, dome_options, options_given, size
+from domeshim.errors import OptionError, ScreenError
 from domeshim.lens.models import lens_of
 from domeshim.lens.pairs import ORDERS, Pair, read_pairs
+from domeshim.window.frame import Frame
 
 if TYPE_CHECKING:
     from domeshim.lens.fit import Fit
+    from domeshim.options import Options
 
 _LARGEST_FRACTION = 2.0
 """Without --size radii are fractions of the disc's: none is larger."""
@@ -117,3 +120,42 @@ def show(model: str | None, plot: Path | None, **given: str | None) -> None:
         from domeshim.lens.plot import plot_lens  # noqa: PLC0415 - matplotlib, where it is wanted
 
         plot_lens(chosen, f"{options.lens[0]}, {options.fov:g} degrees", plot)
+
+
+@lens.command()
+@dome_options(
+    tuple(field for field in FIELDS if field not in ("method", "tolerance", "hud", "panel", "fill"))
+)
+@click.option("--size", default="1024", show_default=True, callback=size, help="S or WxH in pixels.")
+@click.option("--output", metavar="FILE", type=_FILE, help="A picture file, such as a .png; else a window.")
+def pattern(size: tuple[int, int], output: Path | None, **given: str | None) -> None:
+    """Draw a test card through the lens: rings each 10 degrees, meridians, marks.
+
+    In a window, Escape or q ends it; --display covers a display.
+    """
+    from domeshim.lens.card import draw_card  # noqa: PLC0415 - Pillow, where it is wanted
+
+    options = options_given(False, given)
+    wanted = options.frame or size
+    if output is None:
+        _show(options, wanted)
+        return
+    try:
+        output.parent.mkdir(parents=True, exist_ok=True)
+        draw_card(wanted, Frame(wanted, wanted).square, options).save(output)
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) else error
+        raise OptionError(f"--output={output}: {reason}; accepted: a picture file, such as a .png") from None
+
+
+def _show(options: Options, wanted: tuple[int, int]) -> None:
+    from domeshim.lens.card import draw_card  # noqa: PLC0415 - as above
+    from domeshim.window.show import show as show_window  # noqa: PLC0415 - GL, where there is a window
+
+    def card(size: tuple[int, int]) -> NDArray[np.uint8]:
+        return np.asarray(draw_card(size, Frame(size, size).square, options))
+
+    try:
+        show_window(card, "domeshim: test card", wanted, options.display)
+    except ScreenError as error:
+        raise ScreenError(f"{error}; --output FILE writes the card without one") from None
