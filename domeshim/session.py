@@ -55,6 +55,9 @@ class Dome(Protocol):
     def frame_ending(self, window: Window) -> None:
         """The picture is complete: what must still be drawn over it is drawn now."""
 
+    def toggle_card(self, window: Window) -> bool:
+        """Show the test card over the window's pictures, or no longer; False for a window left as it is."""
+
 
 class Parts(Protocol):
     """Makes one picture of several windows'."""

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from domeshim.draw.arrays import ArrayDraws
+from domeshim.draw.card import TestCard
 from domeshim.draw.extent import Extent
 from domeshim.draw.listed import ListedDraw, ListedMesh
 from domeshim.draw.materials import material_run
@@ -69,6 +70,7 @@ class WindowDome:
         self.arrays = ArrayReader(driver)
         self.array_draws = ArrayDraws(self.context, self.submitter)
         self.rim = Rim(driver)
+        self.card = TestCard(driver, session.options)
 
 
 class Dome:
@@ -317,3 +319,11 @@ class Dome:
             return
         ended.context.settle()
         ended.rim.draw(ended.context.frame, ended.context.rim)
+        ended.card.draw(ended.context.frame)
+
+    def toggle_card(self, window: Window) -> bool:
+        """Show the test card over the window's pictures, or no longer; False for a window left as it is."""
+        if window not in self._windows:
+            return False
+        self._windows[window].card.toggle()
+        return True

@@ -22,6 +22,8 @@ _BOLD = 3
 """Each third of them is drawn stronger."""
 _BACKGROUND = (0, 0, 0)
 _FINE, _STRONG, _RIM = (70, 80, 100), (150, 165, 190), (255, 255, 255)
+_MARGIN = 0.055
+"""Words keep so far from the rim."""
 _PROGRAM = (255, 150, 40)
 """What belongs to the program's view and not to the dome."""
 _WAYS = {
@@ -76,7 +78,7 @@ class _Canvas:
         self.radius = side / 2 * scale
         self._centre = ((x + side / 2) * scale, (size[1] - y - side / 2) * scale)
         self._draw = ImageDraw.Draw(self.image)
-        self._pen = max(1.0, side / 1000) * scale
+        self.pen = max(1.0, side / 1000) * scale
         self._font = ImageFont.load_default(max(9.0, side / 55) * scale)
 
     def pixels(self, disc: Floats) -> Floats:
@@ -87,7 +89,7 @@ class _Canvas:
         """Draw through places of the disc, (n, 2), leaving out those that are nan."""
         for part in _unbroken(disc):
             points = [(float(x), float(y)) for x, y in self.pixels(part)]
-            self._draw.line(points, color, round(width * self._pen), joint="curve")
+            self._draw.line(points, color, round(width * self.pen), joint="curve")
 
     def words(self, disc: Floats, text: str, color: tuple[int, int, int]) -> None:
         """Write around a place of the disc, on a dark ground."""
@@ -99,13 +101,13 @@ class _Canvas:
     def caption(self, text: str, color: tuple[int, int, int]) -> None:
         """Write into the picture's lower left corner."""
         _, top, _, bottom = self._draw.multiline_textbbox((0, 0), text, self._font)
-        place = (3 * self._pen * 4, self.image.height - (bottom - top) - top - 3 * self._pen * 4)
+        place = (3 * self.pen * 4, self.image.height - (bottom - top) - top - 3 * self.pen * 4)
         self._draw.multiline_text(place, text, color, self._font)
 
     def outline(self, color: tuple[int, int, int]) -> None:
         """Draw along the picture's edge."""
         width, height = self.image.size
-        self._draw.rectangle((0, 0, width - 1, height - 1), None, color, round(self._pen))
+        self._draw.rectangle((0, 0, width - 1, height - 1), None, color, round(self.pen))
 
 
 @dataclass(frozen=True)
@@ -157,7 +159,7 @@ class _Card:
     def _edge(self) -> None:
         turn = np.linspace(-np.pi, np.pi, 1441)
         circle = np.stack([np.cos(turn), np.sin(turn)], -1)
-        inset = 1.5 / self.canvas.radius
+        inset = self.canvas.pen / self.canvas.radius
         self.canvas.line(circle * (self.rim - inset), _RIM, 2.0)
         for angle in np.radians(np.arange(0, 360, 5)):
             long = 0.03 if round(np.degrees(angle)) % 90 == 0 else 0.015
@@ -170,7 +172,9 @@ class _Card:
     def _labels(self, rings: range) -> None:
         for ring in rings:
             for theta in np.radians((45, 135, 225, 315)):
-                self._label(self._of_dome(np.radians(ring), theta), f"{ring}", _STRONG)
+                place = self._of_dome(np.radians(ring), theta)
+                if np.hypot(*place) < self.rim - _MARGIN:
+                    self._label(place, f"{ring}", _STRONG)
         for azimuth in range(0, 360, _BOLD * _STEP):
             # As in a dome master: 0 is the front, at the bottom; 90 is to the right.
             theta = np.radians(azimuth - 90)
@@ -183,9 +187,9 @@ class _Card:
 
     def _label(self, disc: Floats, text: str, color: tuple[int, int, int]) -> None:
         """Write at a place of the disc, if it shows it, and within the ticks of its edge."""
-        inmost = self.rim - 0.055
         if not np.isnan(disc).any():
-            self.canvas.words(disc * min(1.0, inmost / max(float(np.hypot(*disc)), 1e-9)), text, color)
+            inward = (self.rim - _MARGIN) / max(float(np.hypot(*disc)), 1e-9)
+            self.canvas.words(disc * min(1.0, inward), text, color)
 
 
 def _unbroken(disc: Floats) -> Iterator[Floats]:

@@ -8,9 +8,10 @@ from click.testing import CliRunner
 from PIL import Image
 
 from domeshim.cli import commands
-from domeshim.errors import DomeError, OptionError
+from domeshim.errors import DomeError, OptionError, ScreenError
 from domeshim.lens.models import lens_of
 from domeshim.options import Options
+from tests.GLUT.program_runs import needs_xvfb, run_on_screen
 
 TRUE = (0.62, 0.03, -0.012, 0.004, -0.0006)
 
@@ -76,3 +77,45 @@ def test_show_prints_a_table():
     assert rows[-1][:2] == ["90.00", "1.00000"]
     with pytest.raises(OptionError, match="--lens=stereo: not known; probably meant: stereographic"):
         call("show", "stereo")
+
+
+def test_pattern_writes_a_card_of_the_frames_size(tmp_path):
+    output = tmp_path / "new" / "card.png"
+    call("pattern", "--fov", 200, "--lens", "equisolid", "--size", "320x256", "--output", output)
+    with Image.open(output) as card:
+        assert card.size == (320, 256)
+        assert np.asarray(card).max() == 255
+    call("pattern", "--frame", "200x100", "--output", output)
+    with Image.open(output) as card:
+        assert card.size == (200, 100)
+    with pytest.raises(OptionError, match=r"--output=.*: unknown file extension: \.xyz; accepted: a picture"):
+        call("pattern", "--size", 64, "--output", tmp_path / "card.xyz")
+
+
+def test_pattern_without_a_display_names_the_way_out(monkeypatch):
+    for name in ("DISPLAY", "WAYLAND_DISPLAY"):
+        monkeypatch.delenv(name, raising=False)
+    with pytest.raises(ScreenError, match=r"no display .*; --output FILE writes the card without one"):
+        call("pattern")
+
+
+ON_SCREEN = """
+import subprocess, sys, time
+from PIL import ImageGrab
+shown = subprocess.Popen([sys.executable, "-m", "domeshim", "lens", "pattern", "--size", "300"])
+until = time.monotonic() + 30
+while time.monotonic() < until and shown.poll() is None:
+    picture = ImageGrab.grab().convert("RGB")
+    if picture.getextrema()[2][1] == 255:
+        break
+    time.sleep(0.3)
+white = sum(min(pixel) > 200 for pixel in picture.getdata())
+subprocess.run(["xdotool", "key", "q"], check=True)
+print(white > 400, shown.wait(20))
+"""
+
+
+@needs_xvfb
+def test_pattern_in_a_window_ends_by_q(tmp_path):
+    ended = run_on_screen(tmp_path, ON_SCREEN)
+    assert ended.stdout.strip() == "True 0", ended.stderr

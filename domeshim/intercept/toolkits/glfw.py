@@ -43,6 +43,7 @@ class GlfwToolkit(ToolkitHost):
             "get_cursor_pos": self.get_cursor_pos,
             "set_cursor_pos": self.set_cursor_pos,
             "set_cursor_pos_callback": self.set_cursor_pos_callback,
+            "set_key_callback": self.set_key_callback,
             "poll_events": self._delivering(glfw.poll_events),
             "wait_events": self._delivering(glfw.wait_events),
             "wait_events_timeout": self._delivering(glfw.wait_events_timeout),
@@ -91,6 +92,7 @@ class GlfwToolkit(ToolkitHost):
             handle = self._with_samples(lambda: glfw.create_window(width, height, title, monitor, share))
             if handle:
                 self._windows[_address(handle)] = _GlfwWindow(handle, self._own_window(handle))
+                self.set_key_callback(handle, None)
         return handle
 
     def _own_window(self, handle: Any) -> Window:
@@ -230,6 +232,21 @@ class GlfwToolkit(ToolkitHost):
         self._glfw.set_cursor_pos_callback(window, placed if function else None)
         return former
 
+    def set_key_callback(self, window: Any, function: Any) -> Any:
+        """Tell function(window, key, scancode, action, modifiers) of the keys, but not of the test card's."""
+        opened = self._windows.get(_address(window))
+        if opened is None:
+            return self._glfw.set_key_callback(window, function)
+
+        def heard(handle: Any, key: int, scancode: int, action: int, modifiers: int) -> None:
+            down = action != self._glfw.RELEASE
+            if not self.is_card(opened.surface, key, modifiers, down=down) and function:
+                function(handle, key, scancode, action, modifiers)
+
+        former, opened.key_told = opened.key_told, function
+        self._glfw.set_key_callback(window, heard)
+        return former
+
     def _placed(
         self, window: Any, x: float, y: float, place: Callable[[Window, float, float], tuple[float, float]]
     ) -> tuple[float, float]:
@@ -282,6 +299,8 @@ class _GlfwWindow:
         self.told_size = (0, 0)
         self.cursor_told: Any = None
         """The program's function that hears of the pointer."""
+        self.key_told: Any = None
+        """The one that hears of the keys."""
 
 
 class _Originals:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from domeshim.intercept.toolkits.timers import VirtualTimers
 from domeshim.intercept.toolkits.windows import ToolkitHost, ToolkitWindow
+from domeshim.window.card_key import CARD_KEY
 from domeshim.window.contract import SurfaceFormat, Window, WindowEvents
 
 if TYPE_CHECKING:
@@ -22,6 +23,15 @@ _FLAGS, _PROFILE = 20, 21
 _FORWARD_COMPATIBLE, _CORE, _ES = 2, 1, 4
 _POINTING = (0x400, 0x401, 0x402)
 """SDL's mouse motion, button down and button up."""
+_NO_EVENT, _KEY_DOWN, _KEY_UP, _P = 0, 0x300, 0x301, 0x70
+_TYPES = (
+    *(*range(0x100, 0x110), *range(0x150, 0x153), *range(0x200, 0x202), *range(0x300, 0x306)),
+    *(*range(0x400, 0x405), *range(0x600, 0x660), *range(0x700, 0x703), *range(0x800, 0x803)),
+    *(*range(0x900, 0x902), *range(0x1000, 0x1006), 0x1100, 0x1101, *range(0x8000, 0x8200)),
+)
+"""SDL's and pygame's types of events, and the first of a program's own."""
+_MODIFIERS = {1: 0x3, 2: 0xC0, 4: 0x300, 8: 0xC00}
+"""SDL's bits of Shift, Control, Alt and Super, left and right, by glfw's."""
 _DEFAULTS = {_DEPTH: 16, _DOUBLEBUFFER: 1}
 """What SDL gives to a program that has not called gl_set_attribute."""
 
@@ -193,9 +203,9 @@ class PygameToolkit(ToolkitHost):
             self._turn_timers()
             result = original(*args, **named)
             self._look_at_size()
-            for event in result if isinstance(result, list) else (result,):
-                self._place(event)
-            return result
+            if isinstance(result, list):
+                return [event for event in result if self._passes(event)]
+            return result if self._passes(result) else self._event["Event"](_NO_EVENT)
 
         return call
 
@@ -204,14 +214,28 @@ class PygameToolkit(ToolkitHost):
         if not self.session.clock.virtual:
             event = self._event["wait"](*args, **named)
             self._look_at_size()
-            self._place(event)
-            return event
+            return event if self._passes(event) else self._event["Event"](_NO_EVENT)
         self._turn_timers()
-        if not self._event["peek"]():
+        if not self._event_waits():
             self._post("VIDEOEXPOSE")
         event = self._event["poll"]()
+        return event if self._passes(event) else self._event["Event"](_NO_EVENT)
+
+    def _event_waits(self) -> bool:
+        """An event is in the queue. pygame 2.6's peek() for any would take a reference from a posted one."""
+        return bool(self._event["peek"](_TYPES))
+
+    def _passes(self, event: Any) -> bool:
+        """Make an event the program's; False for the test card's key."""
+        if event is None:
+            return True
+        if event.type in (_KEY_DOWN, _KEY_UP) and getattr(event, "key", None) == _P:
+            held = getattr(event, "mod", 0)
+            modifiers = sum(bit for bit, mask in _MODIFIERS.items() if held & mask)
+            if self.is_card(self._window, CARD_KEY, modifiers, down=event.type == _KEY_DOWN):
+                return False
         self._place(event)
-        return event
+        return True
 
     # pygame.mouse.
 
@@ -261,7 +285,7 @@ class PygameToolkit(ToolkitHost):
     def _turn_timers(self) -> None:
         """Post what is due; where neither an event nor a picture came, let time go on to the next timer."""
         frames = self.session.frames
-        idle = not self._timers.fire() and frames == self._last_frame and not self._event["peek"]()
+        idle = not self._timers.fire() and frames == self._last_frame and not self._event_waits()
         if idle and self._timers.go_to_next():
             self._timers.fire()
         self._last_frame = frames

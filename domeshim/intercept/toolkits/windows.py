@@ -7,6 +7,7 @@ from collections.abc import Callable
 from domeshim.driver import Driver
 from domeshim.session import Session
 from domeshim.startup import say
+from domeshim.window.card_key import CARD_KEY, is_card_key
 from domeshim.window.contract import SurfaceFormat, Window, WindowEvents
 
 _SAMPLES_ON_SCREEN = 4  # as window/screen.py, which cannot be asked without opening a display of its own
@@ -83,6 +84,7 @@ class ToolkitHost:
         self._name = name
         self._said: set[str] = set()
         self._driver = Driver()
+        self._card_key_held = False
 
     @property
     def gives_windows(self) -> bool:
@@ -128,6 +130,17 @@ class ToolkitHost:
         """program_place's way back."""
         dome = self.session.dome
         return (x, y) if dome is None else dome.frame_place(window, x, y)
+
+    def is_card(self, window: Window | None, key: int, modifiers: int, *, down: bool) -> bool:
+        """The dome takes a key, by glfw's numbers, as the test card's; the program shall not hear of it."""
+        dome = self.session.dome
+        if dome is None or window is None or key != CARD_KEY:
+            return False
+        if self._card_key_held:  # its repetition, or its release, by which Ctrl may be up again
+            self._card_key_held = down
+            return True
+        self._card_key_held = down and is_card_key(key, modifiers) and dome.toggle_card(window)
+        return self._card_key_held
 
     def finished(self, window: Window) -> None:
         """The program has finished a picture."""

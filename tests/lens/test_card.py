@@ -1,0 +1,79 @@
+"""The test card: its rings and marks are where the lens puts them."""
+
+import numpy as np
+import pytest
+
+from domeshim.lens.card import draw_card
+from domeshim.lens.models import lens_of, rim_radius
+from domeshim.lens.orientation import Orientation
+from domeshim.lens.projection import disc_of
+from domeshim.options import Options
+from domeshim.window.frame import Frame
+
+SIZE = (700, 600)
+OPTIONS = [
+    Options(),
+    Options(fov=160.0, lens=("polynomial", (0.6, 0.02)), tilt=30.0, heading=15.0),
+    Options(fov=220.0, lens=("stereographic", ()), roll=40.0),
+    Options(tilt=60.0, seat=(0.0, -1.5, -0.3), projector=(0.5, 0.5, 0.0), radius=4.0),
+]
+
+
+def card(options, size=SIZE):
+    return np.asarray(draw_card(size, Frame(size, size).square, options)).astype(int)
+
+
+def pixels(rays, options):
+    """(n, 2) rows and columns where rays in the dome's space land, well within the picture."""
+    lens = lens_of(*options.lens, options.fov)
+    disc = disc_of(rays, lens)
+    phi = np.arctan2(np.hypot(rays[:, 0], rays[:, 1]), -rays[:, 2])
+    inside = (phi < np.radians(options.fov / 2)) & (np.hypot(*disc.T) < rim_radius(lens, options.fov) - 0.09)
+    x0, y0, side, _ = Frame(SIZE, SIZE).square
+    x, y = ((disc[inside] + 1) * side / 2 + (x0, y0)).T
+    return np.stack([SIZE[1] - y, x], -1).astype(int)
+
+
+def brightest_near(picture, places):
+    """The brightest of each pixel and its neighbours."""
+    around = [(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1)]
+    return np.max([picture[places[:, 0] + i, places[:, 1] + j].max(-1) for i, j in around], 0)
+
+
+@pytest.mark.parametrize("options", OPTIONS, ids=str)
+def test_each_ring_is_where_its_angle_lands(options):
+    picture, orientation = card(options), Orientation.of(options)
+    theta = np.linspace(0, 2 * np.pi, 400)
+    for ring in range(10, int(options.fov / 2), 10):
+        phi = np.full_like(theta, np.radians(ring))
+        points = np.stack([np.sin(phi) * np.cos(theta), np.sin(phi) * np.sin(theta), -np.cos(phi)], -1)
+        places = pixels(orientation.thrown(points), options)
+        lit = brightest_near(picture, places) > 60
+        assert len(places) > 20 or ring > 60
+        assert lit.mean() > 0.75 if len(places) else True  # labels stand on their rings
+
+
+@pytest.mark.parametrize("options", OPTIONS, ids=str)
+def test_the_programs_horizon_is_where_it_is_drawn(options):
+    turn = np.linspace(-np.pi, np.pi, 800)
+    level = np.stack([np.sin(turn), np.zeros_like(turn), -np.cos(turn)], -1)
+    places = pixels(Orientation.of(options).aimed(level), options)
+    colours = card(options)[places[:, 0], places[:, 1]]
+    orange = (colours[:, 0] > 120) & (colours[:, 2] < colours[:, 0] - 60)
+    assert len(places) > 100
+    assert orange.mean() > 0.7
+
+
+def test_the_edge_is_the_rim_and_all_outside_it_is_dark():
+    picture = card(Options())
+    row, column = np.indices(picture.shape[:2]) + 0.5
+    radius = np.hypot(row - 300, column - 350)
+    edge = (radius > 298.6) & (radius < 299.4)
+    assert (picture[edge].max(-1) > 100).mean() > 0.95
+    outside = (radius > 301.5) & (column > 2) & (column < 697) & (row > 2) & (row < 400)
+    assert picture[outside].max() < 40
+
+
+def test_lines_are_smooth():
+    """Between dark and light lie many shades."""
+    assert len(np.unique(card(Options())[..., 0])) > 20
