@@ -162,6 +162,12 @@ class Driver:
         found = re.match(rb"(\d+)\.(\d+)", self.glGetString(_VERSION) or b"")
         return (int(found[1]), int(found[2])) if found else (0, 0)
 
+    def require(self, version: tuple[int, int]) -> None:
+        """Raise DriverError where the current context's GL is older than this."""
+        if self.version < version:
+            found, needed = (".".join(map(str, numbers)) for numbers in (self.version, version))
+            raise DriverError(f"this machine's OpenGL is {found}; the dome needs {needed} or later")
+
     def integers(self, name: int, count: int) -> tuple[int, ...]:
         """What glGetIntegerv says, as so many integers."""
         values = (c_int * count)()

@@ -52,6 +52,8 @@ def _frame(window: Window, program_size: tuple[int, int]) -> Frame:
     return Frame(window.size, program_size, window.inside if isinstance(window, SubWindow) else None)
 
 
+OLDEST_GL = (3, 0)
+"""From here on GLSL has clip distances."""
 _MESHES_OF_A_LIST = 64
 """A list of more pieces keeps the rest as GL's own, for each piece costs its own decision."""
 
@@ -91,6 +93,7 @@ class Dome:
 
     def window_opened(self, window: Window, program_size: tuple[int, int]) -> None:
         """A window's context was made and is current."""
+        self._driver.require(OLDEST_GL)
         around = self._windows.get(window.outermost) if isinstance(window, SubWindow) else None
         frame = _frame(window, program_size)
         self._windows[window] = WindowDome(self._session, self._driver, frame, around)

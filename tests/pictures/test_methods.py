@@ -6,6 +6,7 @@ import sys
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from domeshim.driver import Driver
 from domeshim.state.context import DomeContext
@@ -51,8 +52,8 @@ def methods(patches):
         ((3, 3), "auto", "geometry"),
         ((3, 3), "tessellate", "geometry"),
         ((3, 0), "auto", "cpu"),
-        ((2, 1), "geometry", "cpu"),
-        ((2, 1), "cpu", "cpu"),
+        ((3, 1), "geometry", "cpu"),
+        ((3, 1), "cpu", "cpu"),
     ],
 )
 def test_the_next_method_that_the_driver_has(beside, dressed, monkeypatch, capsys, version, wanted, used):
@@ -80,10 +81,10 @@ def test_the_methods_agree(beside, method):
     assert (picture != best).sum() < 0.01 * best.sum() < (plain != best).sum()
 
 
-@pytest.mark.parametrize(("version", "glsl"), [("3.0", "130"), ("3.2COMPAT", "150")])
-def test_older_gl(tmp_path, version, glsl):
-    """Mesa in the place of an older driver."""
-    program = tmp_path / "wall.py"
+@pytest.fixture
+def capture(tmp_path):
+    """Captures the wall with Mesa as an older driver; gives the process and the path of the picture."""
+    program, output = tmp_path / "wall.py", tmp_path / "wall.png"
     program.write_text(
         "from OpenGL.GL import *\nfrom OpenGL.GLU import *\nfrom OpenGL.GLUT import *\n"
         "def display():\n"
@@ -94,15 +95,26 @@ def test_older_gl(tmp_path, version, glsl):
         "    glEnd()\n    glutSwapBuffers()\n"
         "glutInit()\nglutCreateWindow('wall')\nglutDisplayFunc(display)\nglutMainLoop()\n"
     )
-    output = tmp_path / "wall.png"
-    environment = {**os.environ, "MESA_GL_VERSION_OVERRIDE": version, "MESA_GLSL_VERSION_OVERRIDE": glsl}
-    ran = subprocess.run(
-        [sys.executable, "-m", "domeshim", "capture", "--size", str(SIZE), "--output", output, program],
-        env=environment, capture_output=True, text=True,
-    )  # fmt: skip
+
+    def run(version, glsl):
+        environment = {**os.environ, "MESA_GL_VERSION_OVERRIDE": version, "MESA_GLSL_VERSION_OVERRIDE": glsl}
+        words = ["capture", "--size", str(SIZE), "--output", output, program]
+        return subprocess.run(
+            [sys.executable, "-m", "domeshim", *words], env=environment, capture_output=True, text=True
+        ), output
+
+    return run
+
+
+@pytest.mark.parametrize(("version", "glsl"), [("3.0", "130"), ("3.2COMPAT", "150")])
+def test_older_gl(capture, version, glsl):
+    ran, output = capture(version, glsl)
     assert ran.returncode == 0, ran.stderr
     assert "no tessellation shaders" in ran.stderr
-    from PIL import Image
+    assert (np.asarray(Image.open(output).convert("L")) > 128).sum() > 1000
 
-    picture = np.asarray(Image.open(output).convert("L")) > 128
-    assert picture.sum() > 1000
+
+def test_gl_that_is_too_old_is_named_in_one_line(capture):
+    ran, _ = capture("2.1", "120")
+    assert ran.returncode == 1
+    assert ran.stderr == "domeshim: this machine's OpenGL is 2.1; the dome needs 3.0 or later\n"
