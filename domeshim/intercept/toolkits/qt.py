@@ -14,6 +14,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from domeshim.intercept.toolkits.qt_given import GivenWindows
+from domeshim.intercept.toolkits.qt_pointer import QtPointer
 from domeshim.intercept.toolkits.qt_time import time_classes
 from domeshim.intercept.toolkits.windows import ToolkitHost, ToolkitWindow
 
@@ -33,6 +34,7 @@ class QtToolkit(ToolkitHost):
         super().__init__(session, "Qt")
         self._binding = binding
         self._given: GivenWindows | None = None
+        self.pointer = QtPointer(self)
 
     def part(self, name: str) -> Any:
         """One of the binding's modules, such as QtGui."""
@@ -72,6 +74,12 @@ class QtToolkit(ToolkitHost):
             def doneCurrent(self) -> None:
                 super().doneCurrent()
                 toolkit.session.window_current(None)
+
+            def event(self, event: Any) -> bool:
+                hold: _Hold | None = getattr(self, "_domeshim_hold", None)
+                if hold is None:
+                    return bool(super().event(event))
+                return toolkit.pointer.hand_on(hold.window, self.width(), event, super().event)
 
             def initPainter(self, painter: Any) -> None:
                 toolkit._painter_begins(self)

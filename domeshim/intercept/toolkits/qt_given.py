@@ -130,7 +130,7 @@ def _widget_class(given: GivenWindows, original: type) -> type:
 
         def event(self, event: Any) -> bool:
             if event.type() != core.QEvent.Type.Paint:
-                return bool(super().event(event))
+                return self.surface.hand_on(event, super().event)
             surface = self.surface
             if surface.painting:  # and not at a moment of Qt's own choosing
                 surface.in_event = True
@@ -190,6 +190,9 @@ def _window_class(given: GivenWindows, original: type) -> type:
             if self.surface.painting:
                 self.surface.draw()
                 self.frameSwapped.emit()
+
+        def event(self, event: Any) -> bool:
+            return self.surface.hand_on(event, super().event)
 
         def paint_now(self) -> None:
             self.paintEvent(None)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import weakref
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from domeshim.errors import ProgramFinished
@@ -40,6 +41,13 @@ class Surface:
             widget.setFixedSize(*size)
         else:
             widget.fix_size(*size)
+
+    def hand_on(self, event: Any, handle: Callable[[Any], bool]) -> bool:
+        """Have Qt's own event() handle an event; one of the mouse with the monitor's place."""
+        widget, window = self._widget(), self._window
+        if widget is None or window is None:
+            return bool(handle(event))
+        return self._toolkit.pointer.hand_on(window, widget.width(), event, handle)
 
     def visible(self) -> bool:
         """The program shows the widget, and Qt has not deleted it."""

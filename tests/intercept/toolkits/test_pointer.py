@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 import json
+import shutil
+import subprocess
+import sys
+from importlib.util import find_spec
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -12,7 +16,7 @@ from domeshim.intercept.toolkits.pygame import PygameToolkit
 from domeshim.intercept.toolkits.windows import ToolkitWindow
 from domeshim.options import Options
 from domeshim.session import Session
-from tests.intercept.toolkits.program_runs import capture
+from tests.intercept.toolkits.program_runs import capture, environment, write
 
 WIDTH = 200
 """Pixels of the captured window: scene's view of 70 degrees over a dome of 180."""
@@ -64,6 +68,49 @@ while True:
     glfw.swap_buffers(window)
 """
 
+QT = """
+import json
+import sys
+from BINDING.QtCore import QCoreApplication, QEvent, QPoint, QPointF, Qt, QTimer
+from BINDING.QtGui import QMouseEvent, QWheelEvent
+from BINDING.QtWidgets import QApplication
+from MODULE import KIND
+import scene
+told = []
+class Cube(KIND):
+    def initializeGL(self): scene.start()
+    def resizeGL(self, width, height): scene.shape(width, height)
+    def paintGL(self): scene.draw()
+    def mousePressEvent(self, event):
+        told.append([event.pos().x(), event.pos().y()])
+        event.accept()
+    def wheelEvent(self, event):
+        place = event.position()
+        told.append([place.x(), place.y()])
+app = QApplication(sys.argv)
+window = Cube()
+window.resize(200, 200)
+window.show()
+def point():
+    here, there = QPointF(99, 80), QPointF(5, 7)
+    press = QEvent.Type.MouseButtonPress
+    held = (Qt.MouseButton.LeftButton, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier)
+    event = QMouseEvent(press, here, there, *held)
+    QCoreApplication.sendEvent(window, event)
+    assert event.isAccepted()
+    turn = (QPoint(0, 0), QPoint(0, 120), held[1], held[2])
+    phase = Qt.ScrollPhase.NoScrollPhase
+    QCoreApplication.sendEvent(window, QWheelEvent(here, there, *turn, phase, False))
+    open("told.json", "w").write(json.dumps(told))
+    print(told, flush=True)
+    window.update()
+    timer.timeout.connect(window.update)
+    timer.start(10)
+timer = QTimer()
+QTimer.singleShot(100, point)
+sys.exit(app.exec())
+"""
+
 
 def told(folder: Path, source: str) -> list[list[float]]:
     done = capture(folder, source, "--mode", "dome")
@@ -107,6 +154,54 @@ def test_pygames_mouse() -> None:
     ours.set_pos((21, 41))
     ours.set_pos(5000, -7)
     assert at[2:] == [(10, 20), (299, 0)]
+
+
+def qt(binding: str, module: str, kind: str) -> object:
+    missing = pytest.mark.skipif(find_spec(binding) is None, reason=f"{binding} is not installed")
+    source = QT.replace("MODULE", f"BINDING.{module}").replace("BINDING", binding).replace("KIND", kind)
+    return pytest.param(source, marks=missing, id=f"{binding} {kind}")
+
+
+QT_PROGRAMS = [
+    qt("PySide6", "QtOpenGLWidgets", "QOpenGLWidget"),
+    qt("PySide6", "QtOpenGL", "QOpenGLWindow"),
+    qt("PyQt6", "QtOpenGLWidgets", "QOpenGLWidget"),
+    qt("PyQt5", "QtWidgets", "QOpenGLWidget"),
+]
+
+
+@pytest.mark.parametrize("source", QT_PROGRAMS)
+def test_qts_events(tmp_path: Path, source: str) -> None:
+    places = told(tmp_path, source)
+    assert len(places) == 2
+    for place in places:
+        assert place == pytest.approx([99, 100 - 45.2], abs=1)
+
+
+@pytest.mark.skipif(not shutil.which("xvfb-run"), reason="needs xvfb-run")
+@pytest.mark.parametrize("source", QT_PROGRAMS)
+def test_qts_events_on_a_display(tmp_path: Path, source: str) -> None:
+    write(tmp_path, source.replace("timer.start(10)", "QTimer.singleShot(100, app.quit)"))
+    command = [
+        "xvfb-run",
+        "-a",
+        "-s",
+        "-screen 0 300x300x24",
+        sys.executable,
+        "-m",
+        "domeshim",
+        "run",
+        "prog.py",
+    ]
+    done = subprocess.run(
+        command, cwd=tmp_path, env=environment(), capture_output=True, text=True, timeout=60
+    )
+    if "could not connect" in done.stderr or "Could not load the Qt platform plugin" in done.stderr:
+        pytest.skip("Qt's plugin for X11 lacks libraries here (Debian: libxcb-cursor0)")
+    places = json.loads((tmp_path / "told.json").read_text())
+    assert len(places) == 2, done.stderr
+    for place in places:
+        assert place == pytest.approx([99, 100 - 45.2], abs=1)
 
 
 def test_glfws_cursor(tmp_path: Path) -> None:
