@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Literal, Protocol
 
+import numpy as np
+
 from domeshim.driver import Driver
 from domeshim.lens.models import Floats, Lens
 from domeshim.lens.orientation import Orientation
-from domeshim.lens.projection import disc_of
+from domeshim.lens.projection import direction_of, disc_of
 from domeshim.options import Options
 from domeshim.state.views import View
 from domeshim.window.frame import Frame
@@ -45,6 +47,9 @@ class Canvas(Protocol):
         The third number is what its distance counts for in depth: its share ahead.
         """
 
+    def direction(self, x: float, y: float) -> tuple[Floats, float] | None:
+        """The unit direction (3,) seen at a place of the framebuffer, and its share ahead; or None."""
+
     def close(self) -> None:
         """Free what it holds of GL."""
 
@@ -55,8 +60,10 @@ class DiscCanvas:
     kind: Literal["disc", "face"] = "disc"
     framebuffer = 0
 
-    def __init__(self, frame: Frame, lens: Lens, orientation: Orientation) -> None:
+    def __init__(self, frame: Frame, lens: Lens, orientation: Orientation, rim: float) -> None:
+        """rim: where the picture ends on the disc, 1 the inscribed circle."""
         self._lens = lens
+        self._rim = rim
         self._orientation = orientation
         self.views: tuple[View, ...] = (View(frame.square),)
 
@@ -74,6 +81,14 @@ class DiscCanvas:
         x, y = (disc_of(direction, self._lens, self._orientation) + 1) / 2
         boxes = (view.viewport for view in self.views)
         return [(float(left + x * w), float(bottom + y * h), 1.0) for left, bottom, w, h in boxes]
+
+    def direction(self, x: float, y: float) -> tuple[Floats, float] | None:
+        """As for Canvas."""
+        for left, bottom, w, h in (view.viewport for view in self.views):
+            disc = np.array([2 * (x - left) / w - 1, 2 * (y - bottom) / h - 1])
+            if np.hypot(*disc) < self._rim:
+                return direction_of(disc, self._lens, self._orientation), 1.0
+        return None
 
     def close(self) -> None:
         """Nothing."""
@@ -93,7 +108,7 @@ def canvas_of(
     Raises DriverError where this GL cannot have it.
     """
     if not options.cubemap:
-        return DiscCanvas(frame, lens, orientation)
+        return DiscCanvas(frame, lens, orientation, rim)
     from domeshim.draw.cubemap import CubeCanvas  # noqa: PLC0415 - moderngl for this method alone
 
     return CubeCanvas(driver, options, frame, lens, orientation, rim, say)

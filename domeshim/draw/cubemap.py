@@ -123,6 +123,18 @@ class CubeCanvas:
             found.append((float(left + x), float(bottom + y), float(ahead)))
         return found
 
+    def direction(self, x: float, y: float) -> tuple[Floats, float] | None:
+        """As for Canvas."""
+        for face, view in zip(self._faces, self.views, strict=True):
+            left, bottom, side, _ = view.viewport
+            at = np.array([2 * (x - left) / side - 1, 2 * (y - bottom) / side - 1])
+            if np.abs(at).max() < 1:
+                there = np.array([*(at * self._edge), 1.0])
+                ahead = float(1 / np.linalg.norm(there))
+                axes = np.array(face.axes, float) @ self._turn
+                return np.asarray(np.linalg.solve(axes, there * ahead), float), ahead
+        return None
+
     def close(self) -> None:
         """As for Canvas."""
         with restored(self._driver):

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 from domeshim.draw.accumulation import BUFFER_BIT as ACCUMULATION_BIT
 from domeshim.draw.accumulation import Accumulation
 from domeshim.driver import Driver
-from domeshim.intercept import pixels, reading, recorded, shaders
+from domeshim.intercept import pixels, raster, reading, recorded, shaders
 from domeshim.intercept.arrays import draw_arrays, draw_elements, draw_range_elements, writes_buffer
 from domeshim.intercept.dome import Dome
 from domeshim.intercept.lists import call_list, call_lists, delete_lists, end_list, new_list
@@ -26,7 +26,6 @@ from domeshim.intercept.state_calls import (
     color_material,
     draw,
     frustum,
-    get,
     kept_in_lists,
     load_matrix,
     matrix_mode,
@@ -229,7 +228,7 @@ _FAMILIES: tuple[tuple[re.Pattern[str], Maker], ...] = (
     (_TEXTURES, kept_in_lists(staling("textures"))),
     (_REST, kept_in_lists(staling("rest"))),
     (_LOADS, load_matrix),
-    (_GETS, get),
+    (_GETS, raster.get),
     (_READ_PIXELS, reading.read_pixels),
     (_READS, read_picture),
 )

@@ -47,7 +47,7 @@ class Sight:
         from its axis). Outside the disc the rim's nearest place counts: nothing is drawn there, and a lens
         need not be known beyond its rim.
         """
-        return self._seen(self.directions_on_dome(places))
+        return self.seen(self.directions_on_dome(places))
 
     def to_frame(self, places: Floats) -> Floats:
         """Places of the program's window -> of the frame, also beyond the disc's rim."""
@@ -85,18 +85,22 @@ class Sight:
         depth: (...) 0 to 1; directions: (..., 3) unit, in which the depths were found. The dome shows more
         than the monitor before the near plane and behind the far plane: there the answer is beyond 0 or 1.
         """
-        p = self.view.camera
-        if self.paper:
-            distance = _PAPER_FAR * depth / np.maximum(-self.orientation.aimed(directions)[..., 2], 1e-9)
-        else:
-            a, b = depth_range(p).uniform
-            distance = b / (2 * np.asarray(depth, float) - 1 - a)
-        points = directions * distance[..., None]
+        p, points = self.view.camera, self.points(depth, directions)
         z, w = (points @ p[row, :3] + p[row, 3] for row in (2, 3))
         found: Floats = (z / w + 1) / 2
         return found
 
-    def _seen(self, directions: Floats) -> Floats:
+    def points(self, depth: Floats, directions: Floats) -> Floats:
+        """(..., 3) in eye space: what lies in unit directions where the dome's depth buffer holds depth."""
+        if self.paper:
+            distance = _PAPER_FAR * depth / np.maximum(-self.orientation.aimed(directions)[..., 2], 1e-9)
+        else:
+            a, b = depth_range(self.view.camera).uniform
+            distance = b / (2 * np.asarray(depth, float) - 1 - a)
+        found: Floats = directions * distance[..., None]
+        return found
+
+    def seen(self, directions: Floats) -> Floats:
         """Unit directions -> places of the program's window, kept within LARGEST_PLACE."""
         x, y, w, h = self.view.viewport
         rows = self.view.camera[_CAMERA, :3]

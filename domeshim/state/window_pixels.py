@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from domeshim.draw.clear import PartClear
 from domeshim.options import Options
+from domeshim.state.monitor_raster import Raster, monitor_raster
 from domeshim.state.perspective import planar
 from domeshim.state.pointer import Sight
 from domeshim.state.raster import Point
@@ -62,6 +63,11 @@ class WindowPixels:
         view = context.placer.through_window(context.frame)
         paper = self._options.method == "paper"
         return Sight(view, context.frame, context.lens, context.rim, context.orientation, paper)
+
+    @property
+    def raster(self) -> Raster | None:
+        """The raster position in the program's window; None where GL's own is the answer."""
+        return monitor_raster(self._context, self._options)
 
     @property
     def fills_dome(self) -> bool:

@@ -42,14 +42,20 @@ class Frame:
 
     def flat(self, viewport: Rectangle) -> Rectangle:
         """The viewport's place where the program's window lies undistorted in the centre square."""
+        left, bottom, scale = self._flat
+        x, y, w, h = viewport
+        return round(left + scale * x), round(bottom + scale * y), round(scale * w), round(scale * h)
+
+    def from_flat(self, x: float, y: float) -> tuple[float, float]:
+        """The place in the program's window that lies there: flat's way back."""
+        left, bottom, scale = self._flat
+        return (x - left) / scale, (y - bottom) / scale
+
+    @property
+    def _flat(self) -> tuple[float, float, float]:
+        """Where the program's window lies undistorted, x and y, and how large one of its pixels is there."""
         x0, y0, side, _ = self.square
-        outer_x, outer_y, width, height = self.outer
+        x, y, width, height = self.outer
         scale = side / max(width, height)
         left, bottom = x0 + (side - scale * width) / 2, y0 + (side - scale * height) / 2
-        x, y, w, h = viewport
-        return (
-            round(left + scale * (x - outer_x)),
-            round(bottom + scale * (y - outer_y)),
-            round(scale * w),
-            round(scale * h),
-        )
+        return left - scale * x, bottom - scale * y, scale

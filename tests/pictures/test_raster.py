@@ -90,6 +90,72 @@ def test_raster_color_and_texture(beside: Beside) -> None:
     beside.equal(scene, wrong=0.005)
 
 
+def ask_raster(gl: GL) -> list[Any]:
+    """The raster position, and what gluProject says of points, where a program asks for both."""
+    gl.glClear(gl.GL_COLOR_BUFFER_BIT)
+    gl.glMatrixMode(gl.GL_PROJECTION)
+    gl.gluPerspective(60, 1, 1, 100)
+    gl.gluLookAt(0, 1, 3, 0, 0, 0, 0, 1, 0)
+    gl.glMatrixMode(gl.GL_MODELVIEW)
+    gl.glDepthRange(0.1, 0.8)
+    answers: list[Any] = []
+    for point in ((0, 0, 0), (1, 2, -3), (-3, -1, -7)):
+        gl.glColor3f(*np.abs(point) / 10)
+        gl.glRasterPos3f(*point)
+        position = gl.glGetDoublev(gl.GL_CURRENT_RASTER_POSITION)
+        np.testing.assert_allclose(position[:2], gl.gluProject(*point)[:2], atol=2e-3)
+        distance = gl.glGetFloatv(gl.GL_CURRENT_RASTER_DISTANCE)
+        answers += [*position, distance, *gl.glGetFloatv(gl.GL_CURRENT_RASTER_COLOR)]
+        answers += gl.glGetIntegerv(gl.GL_CURRENT_RASTER_POSITION).tolist()
+        answers += [gl.glGetBooleanv(gl.GL_CURRENT_RASTER_POSITION_VALID)]
+        into = np.zeros(4, np.float32)
+        gl.glGetFloatv(gl.GL_CURRENT_RASTER_POSITION, into)
+        answers += into.tolist()
+    gl.glDepthRange(0, 1)
+    gl.glMatrixMode(gl.GL_PROJECTION)
+    gl.glLoadIdentity()
+    gl.gluOrtho2D(0, 100, 0, 100)
+    gl.glMatrixMode(gl.GL_MODELVIEW)
+    gl.glRasterPos2f(30, 40)
+    return [*answers, *gl.glGetFloatv(gl.GL_CURRENT_RASTER_POSITION)]
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        {},
+        {"fov": 200.0, "tilt": 30.0},
+        {"method": "paper"},
+        {"hud": "flat"},
+        {"method": "cubemap"},
+        {"method": "cubemap", "fov": 220.0, "tilt": 40.0},
+    ],
+)
+def test_the_raster_position_is_told_as_on_the_monitor(beside: Beside, options: dict[str, Any]) -> None:
+    theirs = beside.monitor(ask_raster).answer
+    ours = beside.through_dome(ask_raster, **({"fov": 180.0} | options)).answer
+    np.testing.assert_allclose(np.array(ours, float), np.array(theirs, float), rtol=2e-5, atol=2e-3)
+
+
+def test_a_window_position_is_told_as_it_was_set(beside: Beside) -> None:
+    def scene(gl: GL) -> Any:
+        gl.glClear(gl.GL_COLOR_BUFFER_BIT)
+        gl.glMatrixMode(gl.GL_PROJECTION)
+        gl.gluPerspective(60, 1, 1, 100)
+        gl.glWindowPos3f(30, 40, 0.75)
+        return gl.glGetFloatv(gl.GL_CURRENT_RASTER_POSITION)
+
+    assert beside.through_dome(scene, fov=180.0).answer[:3] == pytest.approx([30, 40, 0.75], abs=1e-4)
+
+
+def test_a_raster_position_never_set_is_gls_own(beside: Beside) -> None:
+    def scene(gl: GL) -> Any:
+        gl.glClear(gl.GL_COLOR_BUFFER_BIT)
+        return gl.glGetFloatv(gl.GL_CURRENT_RASTER_POSITION)
+
+    assert beside.through_dome(scene, fov=180.0).answer.tolist() == [0, 0, 0, 1]
+
+
 def test_lit_raster_position(beside: Beside) -> None:
     def scene(gl: GL) -> None:
         looking(gl)
