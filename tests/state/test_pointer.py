@@ -67,7 +67,7 @@ def test_every_place_of_the_frame_has_a_finite_place(s, x, y):
 def test_farther_from_the_axis_is_farther_out(s, azimuth):
     phi = np.linspace(0, np.radians(179), 400)
     away = np.stack([np.cos(azimuth) * np.sin(phi), np.sin(azimuth) * np.sin(phi), -np.cos(phi)], -1)
-    out = np.linalg.norm(s.seen(away) - s._seen(away[:1]), axis=1)
+    out = np.linalg.norm(s.seen(away) - s.seen(away[:1]), axis=1)
     assert (np.diff(out) >= -1e-6).all()
     assert out[-1] > 10_000
 
