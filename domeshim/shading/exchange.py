@@ -10,7 +10,7 @@ from ctypes import c_char_p, c_int, c_uint, create_string_buffer
 from dataclasses import dataclass
 
 from domeshim.driver import Driver
-from domeshim.shading.own import Landing, Rewritten, Stage, has_main, rewritten, uses_projection
+from domeshim.shading.own import RIM_DISTANCE, Landing, Rewritten, Stage, has_main, rewritten, uses_projection
 from domeshim.shading.program import Uniforms
 from domeshim.state.perspective import Matrix
 
@@ -28,11 +28,15 @@ _OURS = {
 class OwnProgram(Uniforms):
     """A linked program of the program's own whose positions end on the dome."""
 
-    def __init__(self, driver: Driver, name: int, text: str, *, cut: bool, own_matrices: bool) -> None:
-        """text: of the program's shader that was exchanged."""
+    def __init__(
+        self, driver: Driver, name: int, text: str, landing: Rewritten, *, own_matrices: bool
+    ) -> None:
+        """text: of the program's shader that was exchanged; landing: what took its place."""
         super().__init__(driver, name)
-        self.cut = cut
+        self.cut = landing.cut
         """It cuts by RIM_DISTANCE and EDGE_DISTANCES."""
+        self.planes = RIM_DISTANCE if landing.by_planes else 0
+        """So many of the program's clip planes cut what it draws."""
         self.own_matrices = own_matrices
         """Its projection, if any, is in a uniform of its own."""
         self.perspective: Matrix | None = None
@@ -79,7 +83,7 @@ def link(driver: Driver, program: int, landing: Landing, original: Callable[[], 
     try:
         for candidate in rewritten(last.text, last.stage, landing):
             if _links(driver, program, last, candidate):
-                own = OwnProgram(driver, program, last.text, cut=candidate.cut, own_matrices=own_matrices)
+                own = OwnProgram(driver, program, last.text, candidate, own_matrices=own_matrices)
                 return Linked(own)
     finally:
         _compile(driver, last.name, last.text)

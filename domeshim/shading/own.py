@@ -64,6 +64,8 @@ class Rewritten:
     text: str
     cut: bool
     """It cuts at the dome's rim and the panel's edges, by RIM_DISTANCE and EDGE_DISTANCES."""
+    by_planes: bool
+    """The program's first clip planes, or distances, cut by the ones below those."""
 
 
 def uses_projection(text: str) -> bool:
@@ -108,7 +110,8 @@ def _joined(version: str, text: str, stage: Stage, landing: Landing, *, cut: boo
         planes = "clip vertex"
     before = _before(stage, landing, cut=cut, planes=planes)
     after = "" if stage == "geometry" else _MAIN_AROUND
-    return Rewritten("\n".join([version, *lines[:first], before, *lines[first:], after]), cut)
+    text = "\n".join([version, *lines[:first], before, *lines[first:], after])
+    return Rewritten(text, cut, by_planes=cut and planes != "open")
 
 
 def _before(stage: Stage, landing: Landing, *, cut: bool, planes: Planes) -> str:

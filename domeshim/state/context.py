@@ -431,6 +431,10 @@ class DomeContext:
             part = None if seen.scissor is None else self.frame.flat(seen.scissor)
             self._wear(Dressing(0, (), (View(self.frame.flat(seen.viewport), part),)), seen)
         elif self.own.current is not None:
+            if any(plane >= self.own.current.planes for plane in scene.clip_planes):
+                self.say_once(
+                    "under the program's own GLSL only GL_CLIP_PLANE0 to 2 cut, and only by its gl_ClipVertex"
+                )
             enables = self.own.bend(placement, seen.projection, seen.edges, scene.clip_planes)
             enables = (*enables, *self._wardrobe.discard(look))
             self._wear(Dressing(0, enables, canvas.views, self.own.current, canvas.framebuffer), seen)

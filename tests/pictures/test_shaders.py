@@ -147,6 +147,22 @@ def planes_by_its_own_clip_vertex(gl: GL) -> None:
     tiles(gl)
 
 
+def test_planes_without_a_clip_vertex_are_said_once(
+    beside: Beside, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def scene(gl: GL) -> None:
+        looking(gl)
+        gl.glUseProgram(both(gl, COLOURED, COLOUR))
+        tiles(gl)
+        assert "CLIP_PLANE" not in capsys.readouterr().err
+        gl.glEnable(gl.GL_CLIP_PLANE0)
+        tiles(gl)
+        tiles(gl)
+
+    beside.through_dome(scene)
+    assert capsys.readouterr().err.count("only GL_CLIP_PLANE0 to 2 cut") == 1
+
+
 def within_a_scissor(gl: GL) -> None:
     looking(gl)
     gl.glEnable(gl.GL_SCISSOR_TEST)
