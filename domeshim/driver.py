@@ -66,6 +66,7 @@ _SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "glDeleteLists": (None, (_UINT, _INT)),
     "glColorMask": (None, (c_ubyte,) * 4),
     "glClear": (None, (c_uint,)),
+    "glDrawBuffer": (None, (_ENUM,)),
     "glDepthMask": (None, (c_ubyte,)),
     "glDepthFunc": (None, (_ENUM,)),
     "glDepthRange": (None, (c_double, c_double)),

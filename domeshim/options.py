@@ -11,12 +11,16 @@ import os
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Literal
 
 from domeshim.errors import OptionError
 from domeshim.lens import catalogue
 from domeshim.lens.catalogue import LensName
 
 Place = tuple[float, float, float]
+
+Stereo = Literal["off", "left", "right", "top-bottom", "left-right", "quad"]
+STEREO: tuple[Stereo, ...] = ("off", "left", "right", "top-bottom", "left-right", "quad")
 
 
 @dataclass(frozen=True)
@@ -39,6 +43,8 @@ class Options:
     hud: str = "panel"
     panel: float = 60.0
     fill: float | None = None
+    stereo: Stereo = "off"
+    eyes: float = 0.065
     frame: tuple[int, int] | None = None
     display: int | None = None
     keep_going: bool = False
@@ -73,6 +79,7 @@ class Options:
         options = cls(**values)  # type: ignore[arg-type] # each setting's parser gives its field's type
         _check_lens(options, said.get("lens"))
         _check_places(options, said)
+        _check_stereo(options, said)
         return options
 
 
@@ -244,6 +251,8 @@ _SETTINGS = {
     "hud": _Setting("panel, flat, off", _choice(("panel", "flat", "off"), later=("side",))),
     "panel": _Setting("degrees over 0 and under 180", _number(lambda degrees: 0 < degrees < 180)),
     "fill": _Setting("off, or degrees over 0 and under 180", _fill),
+    "stereo": _Setting(", ".join(STEREO), _choice(STEREO)),
+    "eyes": _Setting("a length of at least 0", _number(lambda length: length >= 0)),
     "frame": _Setting(f"WxH in pixels, each 1 to {LARGEST_SIDE}", parse_size),
     "display": _Setting("a display's number, 0 the first", _display),
     "keep_going": _Setting("0 or 1", _flag),
@@ -267,8 +276,6 @@ def settings_in_environment() -> dict[str, str]:
 
 _LATER = {
     "DOME_SURFACE": "dome",
-    "DOME_STEREO": "off",
-    "DOME_EYES": "0.065",
 }
 """Variables of versions to come, with the one value that is true of this version."""
 
@@ -298,6 +305,14 @@ def _check_lens(options: Options, said: _Said | None) -> None:
     except LensError as error:
         assert said is not None
         raise _malformed(said.name, said.text, str(error), catalogue.ACCEPTED) from None
+
+
+def _check_stereo(options: Options, said: Mapping[str, _Said]) -> None:
+    """Raise OptionError for two eyes on the faces of a cube, which are seen from one place each."""
+    if options.cubemap and options.stereo != "off":
+        method = said["method"]
+        accepted = f"with {said['stereo'].name}={options.stereo} any other method"
+        raise _malformed(method.name, method.text, "its faces are seen by one eye", accepted)
 
 
 def _check_places(options: Options, said: Mapping[str, _Said]) -> None:

@@ -100,7 +100,8 @@ def test_what_is_accepted(variable, text, field, value):
         ("DOME_DISPLAY", "\N{SUPERSCRIPT TWO}", "not a display's number"),
         ("DOME_KEEP_GOING", "2", "neither on nor off"),
         ("DOME_TOLERANCE", "0", "DOME_TOLERANCE=0: out of range; accepted: pixels, at least 0.01"),
-        ("DOME_STEREO", "left", "DOME_STEREO=left: not available in this version; accepted: off"),
+        ("DOME_STEREO", "both", "DOME_STEREO=both: not known; accepted: off, left, right, top-bottom"),
+        ("DOME_EYES", "-1", "DOME_EYES=-1: out of range; accepted: a length of at least 0"),
         ("DOME_CONFIG", "no.toml", "DOME_CONFIG='no.toml': No such file or directory; accepted: a dome.toml"),
         ("DOME_FVO", "180", "DOME_FVO: no such variable; probably meant: DOME_FOV"),
         ("DOME_METHODS", "paper", "DOME_METHODS: no such variable; probably meant: DOME_METHOD"),
@@ -169,3 +170,12 @@ def test_options_cannot_be_changed_but_replaced():
     with pytest.raises(FrozenInstanceError):
         options.fov = 1.0  # type: ignore[misc]
     assert replace(options, fov=1.0) == Options(fov=1.0)
+
+
+def test_cube_faces_are_seen_by_one_eye() -> None:
+    with pytest.raises(OptionError) as caught:
+        Options.from_environment({"DOME_METHOD": "cubemap", "DOME_STEREO": "left"})
+    wanted = (
+        "DOME_METHOD=cubemap: its faces are seen by one eye; accepted: with DOME_STEREO=left any other method"
+    )
+    assert str(caught.value) == wanted

@@ -13,6 +13,7 @@ from domeshim.GLUT.events import QueuedEvents
 from domeshim.GLUT.families import inside, outermost
 from domeshim.GLUT.state import GlutState, GlutWindow
 from domeshim.window.contract import SurfaceFormat, Window, WindowEvents
+from domeshim.window.frame import NO_QUAD
 from domeshim.window.subwindow import SubWindow
 
 
@@ -29,19 +30,23 @@ def open_window(
     frame = options.frame if options.enabled else None
     display = options.display if options.enabled else None
     events = QueuedEvents(state)
+    wanted = _surface_format(state, session.backend.dome_samples if options.enabled else 0)
+    in_quad = options.enabled and options.stereo == "quad"
     try:
         surface = session.backend.open_window(
             title,
             frame or size,
             position,
-            _surface_format(state, session.backend.dome_samples if options.enabled else 0),
+            replace(wanted, stereo=wanted.stereo or in_quad),
             events,
             share=_shared(state),
         )
         if display is not None:
             surface.set_full_screen(True, display)
     except ScreenError as error:
-        fatal(state.program, str(error))
+        fatal(state.program, f"{NO_QUAD} ({error})" if in_quad else str(error))
+    if in_quad and not surface.format.stereo:
+        fatal(state.program, NO_QUAD)
     window = GlutWindow(state.next_window, surface, size, state.display_mode)
     window.fixed = frame is not None or display is not None
     return _admit(state, window, events)

@@ -16,7 +16,7 @@ Command = Callable[..., Job | None]
 
 FIELDS = (
     *("config", "preset", "fov", "tilt", "heading", "roll", "seat", "projector", "radius", "lens"),
-    *("method", "tolerance", "hud", "panel", "fill", "frame", "display"),
+    *("method", "tolerance", "hud", "panel", "fill", "stereo", "eyes", "frame", "display"),
 )
 """The fields of Options that domeshim run can be told."""
 FIELDS_OFF_SCREEN = tuple(field for field in FIELDS if field not in ("frame", "display"))

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Literal, Protocol
 
 import numpy as np
 
 from domeshim.driver import Driver
+from domeshim.errors import ScreenError
 from domeshim.lens.models import Floats, Lens
 from domeshim.lens.orientation import Orientation
 from domeshim.lens.projection import direction_of, disc_of
 from domeshim.options import Options
 from domeshim.state.views import View
-from domeshim.window.frame import Frame
+from domeshim.window.frame import NO_QUAD, Frame
 
+_STEREO, _BACK_LEFT, _BACK_RIGHT = 0x0C33, 0x0402, 0x0403
 Depth = tuple[float, float]
 """The uniform domeDepth of a placement."""
 
@@ -60,12 +62,14 @@ class DiscCanvas:
     kind: Literal["disc", "face"] = "disc"
     framebuffer = 0
 
-    def __init__(self, frame: Frame, lens: Lens, orientation: Orientation, rim: float) -> None:
+    def __init__(
+        self, options: Options, frame: Frame, lens: Lens, orientation: Orientation, rim: float
+    ) -> None:
         """rim: where the picture ends on the disc, 1 the inscribed circle."""
         self._lens = lens
         self._rim = rim
         self._orientation = orientation
-        self.views: tuple[View, ...] = (View(frame.square),)
+        self.views = tuple(_views(options, frame))
 
     def drawn(self, depth: Depth) -> None:
         """Nothing: the window has it."""
@@ -94,6 +98,23 @@ class DiscCanvas:
         """Nothing."""
 
 
+def _views(options: Options, frame: Frame) -> Iterator[View]:
+    """The disc, or each eye's; an eye is told how far it stands to the right of the middle."""
+    if options.stereo == "off":
+        yield View(frame.square)
+        return
+    left, right = ((("domeEye", (side * options.eyes / 2,)),) for side in (-1, 1))
+    match options.stereo:
+        case "left" | "right":
+            yield View(frame.square, uniforms=left if options.stereo == "left" else right)
+        case "quad":
+            yield View(frame.square, uniforms=left, buffer=_BACK_LEFT)
+            yield View(frame.square, uniforms=right, buffer=_BACK_RIGHT)
+        case _:
+            for square, part, eye in zip(frame.squares, frame.parts, (left, right), strict=True):
+                yield View(square, part, eye)
+
+
 def canvas_of(
     driver: Driver,
     options: Options,
@@ -105,10 +126,12 @@ def canvas_of(
 ) -> Canvas:
     """The canvas that the method draws onto; rim: where the picture ends on the disc; say: tells the user.
 
-    Raises DriverError where this GL cannot have it.
+    Raises DriverError where this GL cannot have it, ScreenError where the window has not what it takes.
     """
     if not options.cubemap:
-        return DiscCanvas(frame, lens, orientation, rim)
+        if options.stereo == "quad" and not driver.integer(_STEREO):
+            raise ScreenError(NO_QUAD)
+        return DiscCanvas(options, frame, lens, orientation, rim)
     from domeshim.draw.cubemap import CubeCanvas  # noqa: PLC0415 - moderngl for this method alone
 
     return CubeCanvas(driver, options, frame, lens, orientation, rim, say)

@@ -9,7 +9,7 @@ from domeshim.shading.program import Program
 from domeshim.shading.snippets import snippet
 from domeshim.window.frame import Frame
 
-_TRIANGLE_STRIP = 0x0005
+_TRIANGLE_STRIP, _SCISSOR_TEST = 0x0005, 0x0C11
 _RING = 2 * (128 + 1)
 """Vertices of each ring that glsl/frame/rim.vert.glsl makes."""
 
@@ -30,12 +30,19 @@ class Rim:
     def draw(self, frame: Frame, radius: float) -> None:
         """Blacken all of the frame outside the disc; radius: of the picture, 1 the inscribed circle."""
         gl = self._driver
-        x, y, side, _ = frame.square
         with way_cleared(gl):
             gl.glColorMask(1, 1, 1, 1)
             gl.glViewport(0, 0, *frame.size)
-            for ring, program in enumerate((self._edge, self._outside)):
-                gl.glUseProgram(program.name)
-                program.set("domeDisc", (x + side / 2, y + side / 2, radius * side / 2))
-                program.set("domeFrame", frame.size)
-                gl.glDrawArrays(_TRIANGLE_STRIP, ring * _RING, _RING)
+            if len(frame.parts) > 1:
+                gl.glEnable(_SCISSOR_TEST)
+            for (x, y, side, _), part in zip(frame.squares, frame.parts, strict=True):
+                gl.glScissor(*part)
+                self._around(frame, (x + side / 2, y + side / 2, radius * side / 2))
+
+    def _around(self, frame: Frame, disc: tuple[float, float, float]) -> None:
+        """Blacken what is outside one disc: its centre and radius, pixels."""
+        for ring, program in enumerate((self._edge, self._outside)):
+            self._driver.glUseProgram(program.name)
+            program.set("domeDisc", disc)
+            program.set("domeFrame", frame.size)
+            self._driver.glDrawArrays(_TRIANGLE_STRIP, ring * _RING, _RING)

@@ -48,8 +48,9 @@ def inside_block(context: DomeContext) -> Iterator[None]:
             checker.onEnd()
 
 
-def _frame(window: Window, program_size: tuple[int, int]) -> Frame:
-    return Frame(window.size, program_size, window.inside if isinstance(window, SubWindow) else None)
+def _frame(session: Session, window: Window, program_size: tuple[int, int]) -> Frame:
+    inside = window.inside if isinstance(window, SubWindow) else None
+    return Frame(window.size, program_size, inside, session.options.stereo)
 
 
 OLDEST_GL = (3, 0)
@@ -95,7 +96,7 @@ class Dome:
         """A window's context was made and is current."""
         self._driver.require(OLDEST_GL)
         around = self._windows.get(window.outermost) if isinstance(window, SubWindow) else None
-        frame = _frame(window, program_size)
+        frame = _frame(self._session, window, program_size)
         self._windows[window] = WindowDome(self._session, self._driver, frame, around)
         self.window_current(window)
 
@@ -114,7 +115,7 @@ class Dome:
         context = self._windows[window].context
         self.flush()
         context.undress()
-        context.frame = _frame(window, program_size)
+        context.frame = _frame(self._session, window, program_size)
         context.viewport_changed()
 
     def window_closed(self, window: Window) -> None:

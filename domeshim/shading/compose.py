@@ -102,6 +102,9 @@ def _position(draft: Draft, recipe: Recipe) -> None:
     mapping = recipe.mapping
     draft.need(f"place/{mapping.place}")
     draft.add("vec4 place = placed(eye);")
+    if mapping.beside:
+        draft.need("eye/beside")
+        draft.add("place = beside(place);")
     if mapping.aim != "straight":
         draft.need(f"aim/{mapping.aim}")
         draft.add("place = aimed(place);")

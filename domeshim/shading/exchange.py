@@ -19,7 +19,7 @@ _STAGES: Mapping[int, Stage] = {0x8DD9: "geometry", 0x8E87: "evaluation", 0x8B31
 _FRAGMENT, _SHADER_TYPE, _COMPILE_STATUS, _LINK_STATUS = 0x8B30, 0x8B4F, 0x8B81, 0x8B82
 _ATTACHED_SHADERS, _ACTIVE_UNIFORMS, _SOURCE_LENGTH = 0x8B85, 0x8B86, 0x8B88
 _OURS = {
-    *("domeMode", "domeFromClip", "domeLens", "domeDepth", "domeFace", "domeRim", "domeEdges"),
+    *("domeMode", "domeFromClip", "domeLens", "domeDepth", "domeFace", "domeEye", "domeRim", "domeEdges"),
     *("domeTurn", "domeSeat", "domeProjector"),
     "gl_ClipPlane",
 }

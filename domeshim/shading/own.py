@@ -42,7 +42,7 @@ void domeEmit() {
 }
 #define EmitVertex domeEmit
 """
-_NAMES = re.compile(r"\b(bent|onFace|lensRadius|aimed|inFront|insideViewport)\b")
+_NAMES = re.compile(r"\b(beside|bent|onFace|lensRadius|aimed|inFront|insideViewport)\b")
 
 
 @dataclass(frozen=True)
@@ -55,6 +55,8 @@ class Landing:
     """A field of view over 180 degrees."""
     face: bool = False
     """Onto the faces of a cube."""
+    beside: bool = False
+    """As an eye sees it that stands beside the viewer's middle."""
 
 
 @dataclass(frozen=True)
@@ -119,6 +121,8 @@ def _before(stage: Stage, landing: Landing, *, cut: bool, planes: Planes) -> str
     names = ["own/land", f"lens/{landing.lens}", "bend/vertex", "bend/panel"]
     if landing.face:
         names[1:] = ["bend/face", "bend/face_point", "bend/face_panel"]
+    if landing.beside:
+        names.append("eye/beside")
     if landing.aim != "straight":
         names.append(f"aim/{landing.aim}")
     if cut:
@@ -155,6 +159,7 @@ def _land(landing: Landing, *, cut: bool, planes: Planes) -> str:
     lines += aimed
     lines.append("    gl_Position = domeBent(place, clip.z / clip.w);")
     lines += ["} else if (domeMode > 0.5) {", "    vec4 place = domePlace(clip);"]
+    lines += ["    place = domeBeside(place);"] if landing.beside else []
     lines += aimed
     lines.append("    gl_Position = domeBent(place);")
     if cut and not landing.face:

@@ -92,9 +92,13 @@ def _add_position(draft: Draft, recipe: Recipe) -> None:
     mapping, distances = recipe.mapping, recipe.clip_distances
     draft.need(f"lens/{mapping.lens}")
     ray = "place"
+    if mapping.beside:
+        draft.need("eye/beside")
+        draft.add("vec4 seen = beside(place);")
+        ray = "seen"
     if mapping.aim != "straight":
         draft.need(f"aim/{mapping.aim}")
-        draft.add("vec4 ray = aimed(place);")
+        draft.add(f"vec4 ray = aimed({ray});")
         ray = "ray"
     if mapping.place == "panel":
         draft.need("bend/panel")

@@ -111,6 +111,8 @@ class Mapping:
     """What is left out behind is a cone, not a half space."""
     near_behind: bool = False
     """Places close to straight behind are seen: edges there are cut finer."""
+    beside: bool = False
+    """As an eye sees it that stands beside the viewer's middle."""
     face: bool = False
     """Onto the faces of a cube by plain perspectives, not through the lens."""
     sides: tuple[int, ...] = ()

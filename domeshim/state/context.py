@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property, partial
 from typing import Any
@@ -38,6 +38,7 @@ _VIEWPORT, _MATRIX_MODE, _MODELVIEW, _PROJECTION, _TEXTURE = 0x0BA2, 0x0BA0, 0x1
 _MODELVIEW_MATRIX, _PROJECTION_MATRIX, _CURRENT_PROGRAM = 0x0BA6, 0x0BA7, 0x8B8D
 _RASTERIZER_DISCARD = 0x8C89
 _PATCH_VERTICES, _CURRENT_AND_LIGHTING_BITS = 0x8E72, 0x0041
+_CURRENT_COLOR = 0x0B00
 _SCISSOR_TEST, _SCISSOR_BOX, _DRAW_FRAMEBUFFER_BINDING = 0x0C11, 0x0C10, 0x8CA6
 _NOT_IN_WINDOW = frozenset(("render mode", "framebuffer"))
 """Reasons to stay out of draws that leave no pixel in the window."""
@@ -246,6 +247,7 @@ class DomeContext:
             self._worn.show(view)
             self.driver.glPushAttrib(_CURRENT_AND_LIGHTING_BITS)
             call()
+            self.driver.integers(_CURRENT_COLOR, 4)  # Mesa hands colours on when it is asked for them
             self.driver.glPopAttrib()
         if views:
             self._worn.show(views[-1])
@@ -428,8 +430,7 @@ class DomeContext:
             self.own.leave_straight()
             self.undress()
             canvas.settle(deep=True, straight=True)
-            part = None if seen.scissor is None else self.frame.flat(seen.scissor)
-            self._wear(Dressing(0, (), (View(self.frame.flat(seen.viewport), part),)), seen)
+            self._wear(Dressing(0, (), tuple(self._flat_views(seen))), seen)
         elif self.own.current is not None:
             if any(plane >= self.own.current.planes for plane in scene.clip_planes):
                 self.say_once(
@@ -445,6 +446,14 @@ class DomeContext:
                 Dressing(program.name, outfit.enables, canvas.views, program, canvas.framebuffer), seen
             )
             self._wardrobe.send(outfit, look, self.tolerance)
+
+    def _flat_views(self, seen: Seen) -> Iterator[View]:
+        """The program's window, undistorted, in each eye's part of the frame."""
+        frame = self.frame
+        for number, view in enumerate(self.canvas.views if self.canvas.kind == "disc" else (None,)):
+            eye = min(number, len(frame.squares) - 1)
+            part = None if seen.scissor is None else frame.flat(seen.scissor, eye)
+            yield View(frame.flat(seen.viewport, eye), part, buffer=view.buffer if view else None)
 
     def _wear(self, dressing: Dressing, seen: Seen) -> None:
         if dressing.uniforms is not None:

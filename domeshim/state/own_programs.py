@@ -32,7 +32,9 @@ class OwnPrograms:
         self._orientation = orientation.turned_only if options.cubemap else orientation
         self._fov = np.radians(options.fov)
         aim = self._orientation.aim
-        self._landing = Landing(lens.name, aim, wide=options.fov > 180, face=options.cubemap)
+        self._landing = Landing(
+            lens.name, aim, wide=options.fov > 180, face=options.cubemap, beside=options.stereo != "off"
+        )
         self._programs: dict[int, OwnProgram] = {}
         self._stages: dict[int, FragmentStage] = {}
         self._last: tuple[Placement, Matrix, tuple[float, ...]] | None = None

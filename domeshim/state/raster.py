@@ -42,10 +42,11 @@ class RasterPoints:
             if point is not None:
                 self._driver.glWindowPos3f(*point)
                 break
-        now = self._now()
-        if now is None or not any(points):
+        if not any(points):
             return False
-        self._known[now] = tuple(points)
+        now = self._now()
+        if now is not None and len(points) > 1:
+            self._known[now] = tuple(points)
         return True
 
     def draw(self, views: Sequence[View], call: Callable[[], object]) -> Any:

@@ -13,6 +13,7 @@ from domeshim.shading.program import Uniforms
 from domeshim.window.frame import Rectangle
 
 _SCISSOR_TEST, _SCISSOR_BOX, _DRAW_FRAMEBUFFER = 0x0C11, 0x0C10, 0x8CA9
+_DRAW_BUFFER = 0x0C01
 
 
 @dataclass(frozen=True)
@@ -24,6 +25,8 @@ class View:
     """What of it may be drawn to; None: all."""
     uniforms: tuple[tuple[str, tuple[float, ...]], ...] = ()
     """What the dome's programs are told of the viewer."""
+    buffer: int | None = None
+    """Which of the window's colour buffers it is in; None: the program's own choice."""
 
 
 @dataclass(frozen=True)
@@ -47,6 +50,8 @@ class Worn:
         self._own = View((0, 0, 0, 0))
         self._box: Rectangle | None = None
         """The program's scissor box, where it is switched off and was changed all the same."""
+        self._buffer: int | None = None
+        """The program's draw buffer, where another was chosen."""
         self._view = self._own
         self.dressing: Dressing | None = None
 
@@ -93,6 +98,9 @@ class Worn:
         if self._box is not None:
             gl.glScissor(*self._box)
             self._box = None
+        if self._buffer is not None:
+            gl.glDrawBuffer(self._buffer)
+            self._buffer = None
         if old.framebuffer:
             gl.glBindFramebuffer(_DRAW_FRAMEBUFFER, 0)
         if old.program:
@@ -103,6 +111,10 @@ class Worn:
         self._view = view
         if view.viewport != old.viewport:
             gl.glViewport(*view.viewport)
+        if view.buffer is not None and view.buffer != old.buffer:
+            if self._buffer is None:
+                self._buffer = gl.integer(_DRAW_BUFFER)
+            gl.glDrawBuffer(view.buffer)
         if view.scissor == old.scissor:
             return
         if view.scissor is None:

@@ -130,6 +130,7 @@ class Wardrobe:
             wide=self._options.fov > 180 or self._options.method != "vertex",
             near_behind=self._options.fov > 180 or self._orientation.off_centre,
             face=self._options.cubemap,
+            beside=self._options.stereo != "off" and place != "panel",
             sides=() if place == "panel" else look.edges.inner,
             raster=None if not look.raster else "nowhere" if hidden else "point",
         )

@@ -44,7 +44,8 @@ class WindowPixels:
         if context.placer.has_perspective and self._options.hud == "off":
             return [None]
         if context.placer.has_perspective and self._options.hud == "flat":
-            return [(*frame.flat((round(x), round(y), 0, 0))[:2], depth)]
+            corner = (round(x), round(y), 0, 0)
+            return [(*frame.flat(corner, eye)[:2], depth) for eye in range(len(frame.parts))]
         main = context.placer.through_window(frame)
         direction = main.direction(x, y)
         a, b = planar(placement.depth) if canvas.kind == "face" else placement.depth
@@ -119,8 +120,9 @@ class WindowPixels:
         if edges.empty or scissor is None or context.hides(placement):
             return
         if placement.hud and self._options.hud == "flat":
-            context.driver.glScissor(*context.frame.flat(scissor))
-            context.driver.glClear(mask)
+            for eye in range(len(context.frame.parts)):
+                context.driver.glScissor(*context.frame.flat(scissor, eye))
+                context.driver.glClear(mask)
             context.driver.glScissor(*scissor)
             return
         if placement.place == "panel":

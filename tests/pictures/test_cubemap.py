@@ -174,10 +174,10 @@ def test_a_draw_leaves_behind_what_one_draw_leaves(beside):
         gl.glPopMatrix()
         gl.glEndList()
         gl.glRasterPos3f(0, 0, -3)
-        before = np.array(gl.glGetFloatv(gl.GL_CURRENT_RASTER_POSITION))
+        before = np.array(beside.stock.glGetFloatv(gl.GL_CURRENT_RASTER_POSITION))  # in the frame's pixels
         for name in (2, 3, 2, 3):
             gl.glCallList(name)
-        moved = np.array(gl.glGetFloatv(gl.GL_CURRENT_RASTER_POSITION)) - before
+        moved = np.array(beside.stock.glGetFloatv(gl.GL_CURRENT_RASTER_POSITION)) - before
         return (
             np.array(gl.glGetFloatv(gl.GL_CURRENT_COLOR)),
             np.array(gl.glGetFloatv(gl.GL_MODELVIEW_MATRIX)),
