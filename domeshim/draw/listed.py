@@ -90,7 +90,8 @@ class ListedMesh:
     @cached_property
     def _meshes(self) -> list[ListedMesh]:
         """One for each part."""
-        runs = self._parts.runs if self._parts is not None else ()
+        parts = self._parts
+        runs = [parts.joined(k, k + 1) for k in range(len(parts.boxes.longest))] if parts is not None else []
         return [ListedMesh(run, self._context, self._submitter, self._lists) for run in runs]
 
     def _draw_pieces(self, subdivision: Subdivision) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import groupby
 from operator import itemgetter
 
@@ -32,8 +32,17 @@ _OF_A_PART = 256
 class Parts:
     """Triangles of a run that follow each other, part by part, and how large each part is."""
 
-    runs: tuple[Run, ...]
+    run: Run
+    """All of them, each with its own three vertices."""
     boxes: Boxes
+    """One a part."""
+
+    def joined(self, first: int, end: int) -> Run:
+        """The parts from the first up to, without, the end."""
+        chosen = slice(3 * _OF_A_PART * first, 3 * _OF_A_PART * end)
+        positions = self.run.positions[chosen]
+        attributes = {name: values[chosen] for name, values in self.run.attributes.items()}
+        return Run(positions, attributes, (Block(TRIANGLES, 0, len(positions)),), constant=self.run.constant)
 
 
 def parts_of(run: Run) -> Parts | None:
@@ -54,12 +63,7 @@ def parts_of(run: Run) -> Parts | None:
         np.maximum.reduceat(points.max(1), starts),
         np.maximum.reduceat(longest_edges(points), starts),
     )
-    return Parts(tuple(_part(run, triangles[a : a + _OF_A_PART]) for a in starts), boxes)
-
-
-def _part(run: Run, triangles: Indices) -> Run:
-    part = taken(run, triangles)
-    return replace(part, blocks=(Block(TRIANGLES, 0, len(part.positions)),))
+    return Parts(taken(run, triangles), boxes)
 
 
 def extent_of(run: Run) -> Extent | None:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
+from itertools import groupby
+from operator import itemgetter
 from typing import TYPE_CHECKING, Protocol
 
 from domeshim.draw.patches import POINTS, TRIANGLES, Edged, Indices
@@ -64,7 +66,9 @@ def subdivide(
     if polygon_mode is None or "edge" in run.attributes:
         return False  # which edges of a polygon show is lost in its triangles
     if parts is not None and polygon_mode == FILL:
-        for part, of_part in zip(parts.runs, context.subdivisions(parts.boxes), strict=True):
+        for of_part, alike in groupby(enumerate(context.subdivisions(parts.boxes)), key=itemgetter(1)):
+            numbers = [number for number, _ in alike]
+            part = parts.joined(numbers[0], numbers[-1] + 1)
             if of_part is None or not subdivide(part, context, drawer, of_part, None):
                 drawer.draw_whole(part, context.draw)
         return True
@@ -123,7 +127,7 @@ def filled(context: DomeContext) -> bool:
 
 
 def _shown_polygon_mode(context: DomeContext) -> int | None:
-    """GLFILL, GL_LINE or GL_POINT; None where the two faces differ or one is culled while outlined."""
+    """GL_FILL, GL_LINE or GL_POINT; None where the two faces differ or one is culled while outlined."""
     front, back = context.driver.integers(_POLYGON_MODE, 2)
     if front == FILL and back in (FILL, 0):
         return FILL
