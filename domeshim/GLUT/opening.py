@@ -80,8 +80,7 @@ def open_subwindow(
     surface = SubWindow(hidden, outer.surface, events, wanted, on_dome=on_dome)
     surface.move(*place)
     window = GlutWindow(state.next_window, surface, size, state.display_mode, parent.number, fixed=True)
-    if session.parts is None:
-        session.parts = Composition(state)
+    session.parts = Composition(state)
     parent.children.append(window)
     outer.redisplay |= outer.picture is None
     surface.inside = inside(state, window)

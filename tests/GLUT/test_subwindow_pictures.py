@@ -226,3 +226,30 @@ def test_the_pointer_on_the_dome_is_in_the_subwindow_seen_there(tmp_path: Path) 
     """The third place lies beyond the window's upper edge, where what fills the dome is seen."""
     done = run_off_screen(tmp_path, POINTING, "enabled=True, frame=(900, 800), fov=110.0")
     assert done.stdout.strip() == "[('main', 5, 7), ('strip', 100, 20), ('main', 120, -40)]", done.stderr
+
+
+BETWEEN = """
+from OpenGL.GL import *
+from domeshim.GLUT import *
+
+glutInit()
+first, second = glutCreateWindow("first"), glutCreateWindow("second")
+
+def colour(number):
+    glutSetWindow(number)
+    return list(glReadPixels(150, 150, 1, 1, GL_RGB, GL_UNSIGNED_BYTE))
+
+for number, green in ((first, 1), (second, 0)):
+    glutSetWindow(number)
+    glColor3f(1, green, 0)
+    glBegin(GL_QUADS)
+    for corner in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
+        glVertex2f(*corner)
+    glEnd()
+print(colour(first), colour(second))
+"""
+
+
+def test_what_is_drawn_goes_to_the_window_that_was_current(tmp_path: Path) -> None:
+    done = run_off_screen(tmp_path, BETWEEN, "enabled=True")
+    assert done.stdout.strip() == "[255, 255, 0] [255, 0, 0]", done.stderr

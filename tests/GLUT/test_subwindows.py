@@ -185,6 +185,18 @@ def test_lists_and_state_are_each_windows_own(window: GlutWindow) -> None:
     assert GL.glIsEnabled(GL.GL_FOG)
 
 
+def test_a_glut_begun_anew_makes_one_picture_as_well(window: GlutWindow, pictures: Pictures) -> None:
+    inside(window.number, 10, 20, 30, 40, RED)
+    shown_next(pictures)
+    GLUT.glutExit()
+    GLUT.glutInit()
+    GLUT.glutInitDisplayMode(GLUT.GLUT_DOUBLE)
+    outer = GLUT.glutCreateWindow("again")
+    show(GREY)
+    inside(outer, 50, 60, 30, 40, GREEN)
+    np.testing.assert_array_equal(shown_next(pictures), expected((50, 60, 30, 40, GREEN)))
+
+
 # The mouse and the keys.
 
 
