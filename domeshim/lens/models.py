@@ -173,7 +173,7 @@ class Stereographic(_Formula):
 
     fov: float
     name: ClassVar[str] = "stereographic"
-    widest: ClassVar[float] = 350.0
+    widest: ClassVar[float] = 359.0
     why: ClassVar[str] = "a stereographic lens puts what is straight behind infinitely far out"
 
     @property

@@ -18,6 +18,8 @@ DOMES = [
     {"fov": 230.0, "tilt": 30.0, "heading": -70.0, "roll": 170.0},
     SEAT,
     {"fov": 210.0, "tilt": 60.0, "heading": 10.0} | SEAT,
+    {"method": "geometry", "roll": 30.0} | SEAT,
+    {"method": "cpu", "tilt": 40.0} | SEAT,
     {"lens": ("equisolid", ()), "fov": 300.0},
     {"lens": ("stereographic", ()), "fov": 240.0, "tilt": 45.0},
     {"lens": ("orthographic", ())},
