@@ -14,7 +14,7 @@ from domeshim.cli.settings import FIELDS, dome_options, options_given, size
 from domeshim.errors import OptionError, ScreenError
 from domeshim.lens.models import lens_of
 from domeshim.lens.pairs import ORDERS, Pair, read_pairs
-from domeshim.window.frame import Frame
+from domeshim.window.frame import Frame, Rectangle
 
 if TYPE_CHECKING:
     from domeshim.lens.fit import Fit
@@ -142,10 +142,14 @@ def pattern(size: tuple[int, int], output: Path | None, **given: str | None) -> 
         return
     try:
         output.parent.mkdir(parents=True, exist_ok=True)
-        draw_card(wanted, Frame(wanted, wanted).square, options).save(output)
+        draw_card(wanted, _squares(wanted, options), options).save(output)
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) else error
         raise OptionError(f"--output={output}: {reason}; accepted: a picture file, such as a .png") from None
+
+
+def _squares(size: tuple[int, int], options: Options) -> tuple[Rectangle, ...]:
+    return Frame(size, size, stereo=options.stereo).squares
 
 
 def _show(options: Options, wanted: tuple[int, int]) -> None:
@@ -153,7 +157,7 @@ def _show(options: Options, wanted: tuple[int, int]) -> None:
     from domeshim.window.show import show as show_window  # noqa: PLC0415 - GL, where there is a window
 
     def card(size: tuple[int, int]) -> NDArray[np.uint8]:
-        return np.asarray(draw_card(size, Frame(size, size).square, options))
+        return np.asarray(draw_card(size, _squares(size, options), options))
 
     try:
         show_window(card, "domeshim: test card", wanted, options.display)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -40,18 +40,20 @@ _LARGEST = 8192
 Rectangle = tuple[int, int, int, int]
 
 
-def draw_card(size: tuple[int, int], square: Rectangle, options: Options) -> Image.Image:
-    """The test card of a dome, size pixels (width, height), its disc in a square of a frame.
+def draw_card(size: tuple[int, int], squares: Sequence[Rectangle], options: Options) -> Image.Image:
+    """The test card of a dome, size pixels (width, height), a disc in each of a frame's squares.
 
-    square: x, y, width, height, the origin at the bottom left as in glViewport.
+    squares: x, y, width, height, the origin at the bottom left as in glViewport.
     """
     scale = max(1, min(4, _LARGEST // max(size)))
     lens = lens_of(*options.lens, options.fov)
-    canvas = _Canvas(size, square, scale)
-    canvas.outline(_FINE)
-    _Card(canvas, lens, rim_radius(lens, options.fov), Orientation.of(options)).draw()
-    canvas.caption(_caption(options), _STRONG)
-    return canvas.image.resize(size, Image.Resampling.BOX)
+    image = Image.new("RGB", (size[0] * scale, size[1] * scale), _BACKGROUND)
+    for square in squares:
+        canvas = _Canvas(image, square, scale)
+        canvas.outline(_FINE)
+        _Card(canvas, lens, rim_radius(lens, options.fov), Orientation.of(options)).draw()
+        canvas.caption(_caption(options), _STRONG)
+    return image.resize(size, Image.Resampling.BOX)
 
 
 def _caption(options: Options) -> str:
@@ -62,7 +64,7 @@ def _caption(options: Options) -> str:
         if value
     ]
     placed = [
-        f"{name} {','.join(f'{x:g}' for x in place)} in {options.radius:g}"
+        f"{name} {','.join(f'{x:g}' for x in place)} of {options.radius:g}"
         for name, place in (("seat", options.seat), ("projector", options.projector))
         if place is not None
     ]
@@ -70,14 +72,14 @@ def _caption(options: Options) -> str:
 
 
 class _Canvas:
-    """A picture several times as large as wanted, drawn on in the disc's coordinates."""
+    """A disc of a picture several times as large as wanted, drawn on in the disc's coordinates."""
 
-    def __init__(self, size: tuple[int, int], square: Rectangle, scale: int) -> None:
+    def __init__(self, image: Image.Image, square: Rectangle, scale: int) -> None:
         x, y, side, _ = square
-        self.image = Image.new("RGB", (size[0] * scale, size[1] * scale), _BACKGROUND)
+        self._image = image
         self.radius = side / 2 * scale
-        self._centre = ((x + side / 2) * scale, (size[1] - y - side / 2) * scale)
-        self._draw = ImageDraw.Draw(self.image)
+        self._centre = ((x + side / 2) * scale, image.height - (y + side / 2) * scale)
+        self._draw = ImageDraw.Draw(image)
         self.pen = max(1.0, side / 1000) * scale
         self._font = ImageFont.load_default(max(9.0, side / 55) * scale)
 
@@ -100,13 +102,13 @@ class _Canvas:
 
     def caption(self, text: str, color: tuple[int, int, int]) -> None:
         """Write into the picture's lower left corner."""
-        _, top, _, bottom = self._draw.multiline_textbbox((0, 0), text, self._font)
-        place = (3 * self.pen * 4, self.image.height - (bottom - top) - top - 3 * self.pen * 4)
-        self._draw.multiline_text(place, text, color, self._font)
+        _, _, _, bottom = self._draw.multiline_textbbox((0, 0), text, self._font)
+        margin = 12 * self.pen
+        self._draw.multiline_text((margin, self._image.height - bottom - margin), text, color, self._font)
 
     def outline(self, color: tuple[int, int, int]) -> None:
         """Draw along the picture's edge."""
-        width, height = self.image.size
+        width, height = self._image.size
         self._draw.rectangle((0, 0, width - 1, height - 1), None, color, round(self.pen))
 
 
@@ -126,11 +128,7 @@ class _Card:
             bold = meridian % (_BOLD * _STEP) == 0
             nearest = 0 if meridian % 90 == 0 else _STEP if bold else _BOLD * _STEP
             self._curve(np.radians(np.linspace(nearest, 179.9, 500)), np.radians(meridian), bold)
-        for plane in ((0, 2), (1, 2)):
-            turn = np.linspace(-np.pi, np.pi, 1441)
-            circle = np.zeros((len(turn), 3))
-            circle[:, plane[0]], circle[:, plane[1]] = np.sin(turn), -np.cos(turn)
-            self.canvas.line(self._of_program(circle), _PROGRAM, 1.5)
+        self._planes()
         self._edge()
         self._labels(rings)
 
@@ -155,6 +153,13 @@ class _Card:
         radius = np.hypot(disc[..., 0], disc[..., 1])
         beyond = (phi > np.radians(self.lens.fov / 2) + 1e-9) | (radius > self.rim + 1e-9)
         return np.where(beyond[..., None], np.nan, disc)
+
+    def _planes(self) -> None:
+        """The program's horizon, and its vertical from ahead to behind."""
+        turn = np.linspace(-np.pi, np.pi, 1441)
+        still = np.zeros_like(turn)
+        for aside, up in ((np.sin(turn), still), (still, np.sin(turn))):
+            self.canvas.line(self._of_program(np.stack([aside, up, -np.cos(turn)], -1)), _PROGRAM, 1.5)
 
     def _edge(self) -> None:
         turn = np.linspace(-np.pi, np.pi, 1441)

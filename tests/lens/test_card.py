@@ -20,7 +20,7 @@ OPTIONS = [
 
 
 def card(options, size=SIZE):
-    return np.asarray(draw_card(size, Frame(size, size).square, options)).astype(int)
+    return np.asarray(draw_card(size, Frame(size, size, stereo=options.stereo).squares, options)).astype(int)
 
 
 def pixels(rays, options):
@@ -72,6 +72,12 @@ def test_the_edge_is_the_rim_and_all_outside_it_is_dark():
     assert (picture[edge].max(-1) > 100).mean() > 0.95
     outside = (radius > 301.5) & (column > 2) & (column < 697) & (row > 2) & (row < 400)
     assert picture[outside].max() < 40
+
+
+def test_each_eye_has_a_card():
+    picture = card(Options(stereo="left-right"), (512, 256))
+    assert np.abs(picture[:, :256] - picture[:, 256:]).mean() < 3  # the frame's outline is around both
+    assert (picture[:, :256].max(-1) > 200).sum() > 500
 
 
 def test_lines_are_smooth():
