@@ -55,17 +55,19 @@ def faces_of(fov: float, orientation: Orientation) -> list[Face]:
     return [Face(axes, reach, _part(places, reach)) for axes, places in shown.items()]
 
 
-def face_size(lens: Lens, fov: float, diameter: float, reach: float = 1.0) -> int:
-    """Pixels across a face such that the middle of each is as fine as the dome's picture there.
+def face_size(face: Face, lens: Lens, fov: float, diameter: float) -> int:
+    """Pixels across a face such that its middle is as fine as the dome's picture there.
 
     diameter: of the disc, pixels. A face has size / (2 reach) pixels a radian in its middle; the disc has its
     radius times the lens's slope outwards, and its radius times the lens's radius / sin(phi) around, of which
-    the larger counts: in the disc's middle, and 90 degrees from it or at the rim.
+    the larger counts. The middle of a side is 90 degrees from the disc's, or the rim if that is nearer; the
+    back, in whose middle there is no such number, is as fine as the sides.
     """
-    phi = np.array([1e-4, min(math.radians(fov / 2), math.pi / 2)])
+    in_front = face.axes[2] == (0, 0, -1)
+    phi = np.array([1e-4 if in_front else min(math.radians(fov / 2), math.pi / 2)])
     slope = (lens.radius(phi) - lens.radius(phi - 1e-4)) / 1e-4
     around = lens.radius(phi) / np.sin(phi)
-    return 2 * round(reach * diameter * float(np.maximum(slope, around).max()) / 2)
+    return 2 * round(face.reach * diameter * float(np.maximum(slope, around).max()) / 2)
 
 
 def _seen(half: float, orientation: Orientation) -> Floats:
