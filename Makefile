@@ -7,7 +7,7 @@ DEMO := demos/teapots.py
 PICTURES := pictures
 DEBIAN := libegl1 libgl1-mesa-dri libglx-mesa0 libglu1-mesa libglut3.12 xvfb xauth xdotool
 
-.PHONY: demo test check-style corpus bench-immediate endurance debian clean
+.PHONY: demo test check-style corpus gallery bench-immediate endurance debian clean
 
 demo: $(VENV)/installed
 	@if [ -n "$$DISPLAY$$WAYLAND_DISPLAY" ]; then \
@@ -30,6 +30,10 @@ check-style: $(VENV)/developed
 # Every program of PyOpenGL-Demo beside stock PyOpenGL: docs/corpus.md, in some ten minutes.
 corpus: $(VENV)/developed debian
 	$(BIN)/python benchmarks/corpus.py
+
+# The demos' pictures, on the monitor and on the dome: docs/gallery, in a few minutes.
+gallery: $(VENV)/developed
+	$(BIN)/python benchmarks/gallery.py
 
 # What the dome costs each way to draw, dome over monitor: a line for each, in a minute or two.
 bench-immediate: $(VENV)/developed debian

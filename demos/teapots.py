@@ -5,8 +5,8 @@ the middle of the ball they are on all sides; and then there is the inside of th
 
     python teapots.py [far|closer|closest|inside] [--solid|--wire]
 
-Keys: 1 far, 2 closer, 3 closest, 4 inside; w wire or solid; space flies the eye in and out again; ESC quits.
-Dragging the mouse turns the teapots about the ball's middle.
+Keys: 1 far, 2 closer, 3 closest, 4 inside; w wire or solid; space flies the eye in and out again; h prints
+these lines; ESC quits. Dragging the mouse turns the teapots about the ball's middle.
 """
 
 import argparse
@@ -16,6 +16,7 @@ from OpenGL.GL import *
 from OpenGL.GLU import *
 from OpenGL.GLUT import *
 
+HELP = __doc__[__doc__.index("Keys:") :].strip()
 RADIUS = 3.5
 """Of the ball."""
 SIZE = 1.1
@@ -92,6 +93,8 @@ class Viewer:
             self.flying = False
         elif key == b"w":
             self.wire = not self.wire
+        elif key == b"h":
+            print(HELP, flush=True)
         elif key == b" ":
             self.start_or_stop_flying()
         glutPostRedisplay()
@@ -158,6 +161,7 @@ def main():
     glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB | GLUT_DEPTH)
     glutInitWindowSize(800, 800)
     glutCreateWindow("Teapots: 1 far, 2 closer, 3 closest, 4 inside, w wire/solid, space fly")
+    print(HELP, flush=True)
     set_up()
     viewer = Viewer(options.place, options.wire)
     glutDisplayFunc(viewer.display)

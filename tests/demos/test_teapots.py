@@ -39,7 +39,8 @@ def take(tmp_path_factory: pytest.TempPathFactory) -> Take:
                 text=True,
                 timeout=60,
             )
-            assert (run.returncode, run.stdout, run.stderr) == (0, "", "")
+            assert (run.returncode, run.stderr) == (0, "")
+            assert run.stdout.startswith("Keys: 1 far")
         return np.asarray(Image.open(output).convert("RGB"), int)
 
     return take
@@ -56,19 +57,6 @@ def content(picture: Picture) -> Picture:
     """Where there is something other than the program's background and black."""
     background = np.array([0.06, 0.08, 0.16]) * 255
     return (abs(picture - background).max(-1) > 12) & (picture.max(-1) > 12)
-
-
-def test_the_demo_knows_nothing_of_the_dome():
-    imports = [line for line in DEMO.read_text().splitlines() if line.startswith(("import ", "from "))]
-    assert imports == [
-        "import argparse",
-        "import math",
-        "from OpenGL.GL import *",
-        "from OpenGL.GLU import *",
-        "from OpenGL.GLUT import *",
-    ]
-    assert "domeshim" not in DEMO.read_text().lower()
-    assert "DOME_" not in DEMO.read_text()
 
 
 @pytest.mark.parametrize("drawn", ["--solid", "--wire"])
