@@ -7,7 +7,7 @@ DEMO := demos/teapots.py
 PICTURES := pictures
 DEBIAN := libegl1 libgl1-mesa-dri libglx-mesa0 libglu1-mesa libglut3.12 xvfb xauth xdotool
 
-.PHONY: demo test check-style corpus gallery bench-immediate endurance debian clean
+.PHONY: demo test check-style corpus sensitivity gallery bench-immediate endurance debian clean
 
 demo: $(VENV)/installed
 	@if [ -n "$$DISPLAY$$WAYLAND_DISPLAY" ]; then \
@@ -42,6 +42,10 @@ bench-immediate: $(VENV)/developed debian
 # 100,000 pictures: memory and GL's objects on the way, in some ten minutes.
 endurance: $(VENV)/developed debian
 	$(BIN)/python benchmarks/endurance.py
+
+# What domeshim compare says of known faults: the table in docs/compare.md, in some minutes.
+sensitivity: $(VENV)/developed debian
+	$(BIN)/python benchmarks/sensitivity.py $(PICTURES)
 
 # Installed editable, so the stamps go stale only with what an installation copies.
 COPIED := pyproject.toml domeshim.pth domeshim.start _domeshim_gate.py

@@ -26,10 +26,10 @@ from domeshim.measure.match import Picture, match, match_discs
 from domeshim.measure.reference import (
     NoPictureError,
     StockRuns,
-    last_words,
     stock_environment,
     virtual_display,
 )
+from domeshim.measure.words import last_words
 
 TIMEOUT = 60.0
 AT_ONCE = 2

@@ -12,7 +12,8 @@ from domeshim.options import ACCEPTED, LARGEST_SIDE, Options, parse_size
 
 Job = Callable[[], None]
 """What a command found to be done. Run outside of click, which has its own ideas of how a program may end."""
-Command = Callable[..., Job | None]
+Command = Callable[..., Job | int | None]
+"""A command gives its job, or its exit status where it is done already."""
 
 FIELDS = (
     *("config", "preset", "fov", "tilt", "heading", "roll", "seat", "projector", "radius", "lens"),

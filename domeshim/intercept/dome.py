@@ -134,6 +134,10 @@ class Dome:
         if current is not None and current is not window:
             current.make_current()
 
+    def context_of(self, window: Window) -> DomeContext | None:
+        """The dome's side of a window's context; None where its pictures are left as they are."""
+        return self._windows[window].context if window in self._windows else None
+
     def program_place(self, window: Window, x: float, y: float) -> tuple[float, float]:
         """Where the program would see a place of the frame in its window; pixels, origin at the top left."""
         if window not in self._windows:

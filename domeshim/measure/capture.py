@@ -1,12 +1,10 @@
-"""Takes one picture of a running program, off screen and on a clock that counts frames."""
+"""Takes pictures of a running program, off screen and on a clock that counts frames."""
 
 from __future__ import annotations
 
 import os
 import sys
-import threading
-from collections.abc import Callable
-from contextlib import suppress
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
@@ -14,21 +12,17 @@ from typing import TYPE_CHECKING, NoReturn
 from domeshim import startup
 from domeshim.errors import DomeError, OptionError, ProgramFinished
 from domeshim.measure.pixels import read_pixels
+from domeshim.measure.studio import Studio, Watch, end_at_once, run_off_screen
 from domeshim.options import Options
 from domeshim.session import Session
-from domeshim.window.clock import VirtualClock
 
 if TYPE_CHECKING:
-    from domeshim.window.contract import Backend, Window
+    from domeshim.window.contract import Window
 
+Keep = Callable[[Session, "Window", int], None]
+"""What is done with a finished picture in the window's back buffer, by its number, 1 the first."""
 GRACE = 5.0
 """Real seconds that a program may take to end once its picture is taken."""
-_WITHOUT_A_DISPLAY = {
-    "PYOPENGL_PLATFORM": "egl",
-    "SDL_VIDEODRIVER": "dummy",
-    "SDL_AUDIODRIVER": "dummy",
-    "QT_QPA_PLATFORM": "offscreen",
-}
 NO_PICTURE = ": it opened no GL window, or never swapped its buffers nor flushed"
 """What usually keeps a program from finishing any picture."""
 
@@ -49,72 +43,78 @@ def take(shot: Shot, options: Options, run: Callable[[], None]) -> NoReturn:
 
     What the program prints and raises passes through. Raises DomeError where no picture came of it.
     """
-    os.environ.update(_WITHOUT_A_DISPLAY)  # before anything imports OpenGL or a toolkit
-    from domeshim.window.virtual_time import pin_time  # noqa: PLC0415 - only pictures have a time of their own
+    output = _ready_to_write(shot.output)
 
-    clock = VirtualClock(shot.fps)
-    session = Session(options, clock=clock, backend=_off_screen, window_size=shot.size)
-    photographer = Photographer(shot.frame, _ready_to_write(shot.output))
-    session.listeners.append(photographer)
-    startup.run_under(session)
-    photographer.watch(shot.timeout)
-    pin_time(clock)
-    status: object = None
-    try:
-        run()
-    except SystemExit as ended:
-        status = ended.code
+    def keep(_session: Session, window: Window, _number: int) -> None:
+        try:
+            write_png(output, window.size, read_pixels(*window.size))
+        except OSError as error:
+            startup.say(f"cannot write {output}: {error.strerror or error}")
+            end_at_once(1)
+
+    photograph((shot.frame,), keep, options, run, Studio(shot.size, shot.fps, shot.timeout))
+
+
+def photograph(
+    frames: Collection[int], keep: Keep, options: Options, run: Callable[[], None], studio: Studio
+) -> NoReturn:
+    """Run the program by run() until its pictures of these numbers are kept, and end the process, status 0.
+
+    Raises DomeError where the program ended before.
+    """
+    photographer = Photographer(frames, keep, studio.timeout)
+    session, status = run_off_screen(run, options, studio, photographer.follow)
     if photographer.taken:
         raise SystemExit(0)
     if status is not None and not isinstance(status, int):
         sys.stderr.write(f"{status}\n")  # as Python prints what it is told to exit with
     hint = "" if status or session.frames else NO_PICTURE
-    progress = f"after {session.frames} pictures; picture {shot.frame} was wanted{hint}"
+    progress = f"after {session.frames} pictures; picture {photographer.last} was wanted{hint}"
     raise DomeError(f"the program ended {progress}")
 
 
 class Photographer:
-    """Writes the wanted picture when it is finished and ends the program; watches that pictures come."""
+    """Keeps the wanted pictures as they are finished, then ends the program; watches that pictures come."""
 
-    def __init__(self, frame: int, output: Path) -> None:
-        self._frame = frame
-        self._output = output
-        self._frames = 0
-        self._news = threading.Event()
+    def __init__(self, frames: Collection[int], keep: Keep, timeout: float) -> None:
+        self.last = max(frames)
         self.taken = False
+        self._wanted = frozenset(frames)
+        self._keep = keep
+        self._session: Session | None = None
+        self._watch = Watch(timeout, self._silent)
+
+    def follow(self, session: Session) -> Photographer:
+        """Watch this session from now on."""
+        self._session = session
+        self._watch.start()
+        return self
 
     def frame_finished(self, window: Window, number: int) -> None:
-        """Take the picture if it is the wanted one.
+        """Keep the picture if it is a wanted one.
 
-        Raises ProgramFinished once it is taken. A program that stops exceptions is ended at its next picture.
+        Raises ProgramFinished after the last. A program that stops exceptions is ended at its next picture.
         """
         if self.taken:
             end_at_once(0)
-        self._frames = number
-        if number == self._frame:
-            try:
-                write_png(self._output, window.size, read_pixels(*window.size))
-            except OSError as error:
-                startup.say(f"cannot write {self._output}: {error.strerror or error}")
-                end_at_once(1)
-            self.taken = True
-        self._news.set()
+        if number in self._wanted:
+            assert self._session is not None
+            self._keep(self._session, window, number)
+            if number == self.last:
+                self.taken = True
+                self._watch.timeout = GRACE
+        self._watch.heard()
         if self.taken:
             raise ProgramFinished
 
-    def watch(self, timeout: float) -> None:
-        """From now on, end the process when no picture comes for so many real seconds."""
-        threading.Thread(target=self._watch, args=(timeout,), name="domeshim watchdog", daemon=True).start()
-
-    def _watch(self, timeout: float) -> None:
-        # The operating system times the waiting for a lock: pinning the time module does not reach it.
-        while self._news.wait(GRACE if self.taken else timeout):
-            self._news.clear()
+    def _silent(self) -> None:
+        """No picture came for too long."""
         if self.taken:
             end_at_once(0)
-        hint = "" if self._frames else NO_PICTURE
-        progress = f"after {self._frames} pictures; picture {self._frame} was wanted{hint}"
-        startup.say(f"nothing came for {timeout:g} seconds {progress}")
+        frames = self._session.frames if self._session is not None else 0
+        hint = "" if frames else NO_PICTURE
+        progress = f"after {frames} pictures; picture {self.last} was wanted{hint}"
+        startup.say(f"nothing came for {self._watch.timeout:g} seconds {progress}")
         end_at_once(1)
 
 
@@ -131,21 +131,6 @@ def write_png(path: Path, size: tuple[int, int], pixels: bytes) -> None:
         unfinished.replace(path)
     finally:
         unfinished.unlink(missing_ok=True)
-
-
-def end_at_once(status: int) -> NoReturn:
-    """End the process without asking the program; what it has printed is kept."""
-    for stream in (sys.stdout, sys.stderr):
-        with suppress(Exception):
-            stream.flush()
-    os._exit(status)
-
-
-def _off_screen() -> Backend:
-    # Imported with the first window: until then the program may set PyOpenGL's flags.
-    from domeshim.window.offscreen import OffscreenBackend  # noqa: PLC0415
-
-    return OffscreenBackend()
 
 
 def _ready_to_write(output: Path) -> Path:

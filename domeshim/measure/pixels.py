@@ -48,8 +48,8 @@ def read_pixels(width: int, height: int, *, corner: tuple[int, int] = (0, 0), bu
     pixels = create_string_buffer(3 * width * height)
     with _plain_reading(gl, buffer), _resolved(gl, corner, width, height) as (left, bottom):
         gl.glReadPixels(left, bottom, width, height, GL_RGB, GL_UNSIGNED_BYTE, pixels)
-    row = 3 * width
-    return b"".join(pixels.raw[start : start + row] for start in range(row * (height - 1), -1, -row))
+    row, rows = 3 * width, memoryview(pixels).cast("B")
+    return b"".join(rows[start : start + row] for start in range(row * (height - 1), -1, -row))
 
 
 @contextmanager

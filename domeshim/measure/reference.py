@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 from domeshim.errors import DomeError, ScreenError
 from domeshim.measure.face_program import FACES, MONITOR, UNFINISHED
 from domeshim.measure.match import Picture
+from domeshim.measure.words import last_words
 
 PACKAGE = Path(__file__).parents[1]
 
@@ -117,14 +118,6 @@ def _failure(ended: subprocess.CompletedProcess[bytes]) -> NoPictureError:
         return NoPictureError(last_words(ended.stderr, ended.returncode))
     said = ended.stderr + ended.stdout if ended.returncode == 0 else ended.stderr
     return NoPictureError(last_words(said, ended.returncode), ended=True, silent=not said.strip())
-
-
-def last_words(said: bytes, status: int) -> str:
-    """The error that a program's last traceback ends in, or its last line; without one, its exit status."""
-    lines = [line.rstrip() for line in said.decode(errors="replace").splitlines() if line.strip()]
-    starts = [number for number, line in enumerate(lines) if line.startswith("Traceback (most recent")]
-    errors = [line for line in lines[starts[-1] + 1 :] if not line.startswith(" ")] if starts else lines[-1:]
-    return errors[0].strip() if errors else f"it ended with status {status} and without a word"
 
 
 def stock_environment(display: str, environ: Mapping[str, str] | None = None) -> dict[str, str]:

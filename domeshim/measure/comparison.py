@@ -1,0 +1,225 @@
+"""Runs a program as on the monitor and on the dome, each in a process of its own, and compares the pictures.
+
+The dome's picture is taken so large that an angle has as many pixels in it as on the monitor: a line is a
+pixel wide in both, and a letter as high.
+"""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+
+from domeshim.errors import DomeError
+from domeshim.measure.difference import Difference, Verdict, difference, same_picture, unwarped
+from domeshim.measure.exposures import Exposure, Wanted
+from domeshim.measure.match import Picture
+from domeshim.measure.words import last_words
+
+LARGEST_DOME = 4096
+"""The most pixels a side of the dome's picture gets."""
+LARGEST_FINER = 6144
+"""The same where details of a texture ask for more."""
+
+
+class NoExposureError(DomeError):
+    """A run gave no picture; says why, as far as the program did."""
+
+
+@dataclass(frozen=True)
+class Program:
+    """What is run: a file, folder or module, its arguments, and how."""
+
+    prog: str
+    args: tuple[str, ...] = ()
+    module: bool = False
+    fps: float = 60.0
+    timeout: float = 60.0
+    folder: Path | None = None
+    """Where it is run; None: here."""
+
+
+@dataclass(frozen=True)
+class Run:
+    """The pictures of one run by number, and what domeshim said of what it cannot do exactly."""
+
+    exposures: Mapping[int, Exposure]
+    notes: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Compared:
+    """One picture of a program, of one size, on the monitor and on the dome."""
+
+    frame: int
+    size: tuple[int, int]
+    difference: Difference
+    monitor: Picture | None = None
+    dome: Picture | None = None
+    """As it is on the dome."""
+    seen_as_monitor: Picture | None = None
+    """The dome's picture as the program's window would show it."""
+    perspective: bool = False
+    renderer: str = ""
+    notes: tuple[str, ...] = ()
+
+    @property
+    def verdict(self) -> Verdict:
+        """Alike, different or undecided."""
+        return self.difference.verdict
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """Compares pictures of these numbers, 1 the first, of one window's size; settings as in Wanted."""
+
+    program: Program
+    frames: tuple[int, ...] = (1,)
+    size: tuple[int, int] = (512, 512)
+    settings: Mapping[str, str] = field(default_factory=dict)
+
+    def results(self) -> Iterator[Compared]:
+        """One for each picture, in their order."""
+        try:
+            for frame in self.frames:
+                yield self._compared(frame)
+        except NoExposureError as error:
+            for frame in self.frames:
+                yield self._undecided(frame, str(error))
+
+    def _compared(self, frame: int) -> Compared:
+        monitor, again = (run.exposures[frame].picture for run in self._monitors)
+        run = self._dome
+        dome = run.exposures[frame]
+        result = Compared(
+            frame,
+            self.size,
+            _UNKNOWN,
+            monitor,
+            dome.picture,
+            None,
+            dome.perspective,
+            dome.renderer,
+            run.notes,
+        )
+        reason = ""
+        if not same_picture(monitor, again):
+            reason = "the program shows another picture at each run, on the monitor too"
+        elif dome.places is None or dome.seen is None:
+            reason = "the program's own GL is not bent onto the dome"
+        elif dome.seen.shape != monitor.shape[:2]:
+            reason = "the program's window has another size on the dome"
+        if reason:
+            return replace(result, difference=replace(_UNKNOWN, reason=reason))
+        assert dome.places is not None
+        assert dome.seen is not None
+        flat = unwarped(dome.picture, dome.places, dome.seen)
+        apart = difference(monitor, flat, dome.seen)
+        if apart.verdict == "different" and (finer := self._apart_in_detail(frame)) is not None:
+            apart = finer if finer.verdict != "different" else apart
+        return replace(result, seen_as_monitor=flat, difference=apart)
+
+    def _apart_in_detail(self, frame: int) -> Difference | None:
+        """The difference of both pictures taken twice as large and scaled down; None where that is too large.
+
+        Details of a texture that are about a pixel wide break up in either picture, and then no more.
+        """
+        if self._finer is None:
+            return None
+        monitor, dome = (run.exposures[frame] for run in self._finer)
+        if dome.places is None or dome.seen is None or dome.seen.shape != monitor.picture.shape[:2]:
+            return None
+        flat = unwarped(dome.picture, dome.places, dome.seen)
+        small, seen_small = (np.asarray(Image.fromarray(each).reduce(2)) for each in (monitor.picture, flat))
+        whole = np.asarray(Image.fromarray(dome.seen.astype(np.uint8) * 255).reduce(2)) == 255
+        return replace(difference(small, seen_small, whole), finer=True)
+
+    def _undecided(self, frame: int, reason: str) -> Compared:
+        return Compared(frame, self.size, replace(_UNKNOWN, reason=reason))
+
+    @cached_property
+    def _first_runs(self) -> tuple[Run, Run, Run]:
+        """Twice as on the monitor, and once on a small dome, which tells how large it should be."""
+        with ThreadPoolExecutor(3) as workers:
+            first, second = (workers.submit(self.take, dome=False) for _ in range(2))
+            small = workers.submit(self.take, dome=True, side=min(self.size), frames=self.frames[:1])
+            return first.result(), second.result(), small.result()
+
+    @property
+    def _monitors(self) -> tuple[Run, Run]:
+        return self._first_runs[:2]
+
+    @cached_property
+    def _dome(self) -> Run:
+        return self.take(dome=True, side=self._side)
+
+    @cached_property
+    def _finer(self) -> tuple[Run, Run] | None:
+        """As on the monitor and on the dome, both twice as large."""
+        twice = replace(self, size=(2 * self.size[0], 2 * self.size[1]))
+        side = 2 * self._side
+        return (twice.take(dome=False), twice.take(dome=True, side=side)) if side <= LARGEST_FINER else None
+
+    @property
+    def _side(self) -> int:
+        small = self._first_runs[2].exposures[self.frames[0]]
+        return min(self.size) if small.places is None else even_side(small, LARGEST_DOME)
+
+    def take(self, *, dome: bool, side: int | None = None, frames: tuple[int, ...] | None = None) -> Run:
+        """Run the program for its pictures; side: of the dome's frame, pixels.
+
+        Raises NoExposureError.
+        """
+        settings = dict(self.settings) if dome else {}
+        if side is not None:
+            settings["frame"] = f"{side}x{side}"
+        program, frames = self.program, frames or self.frames
+        where = "on the dome" if dome else "as on the monitor"
+        with tempfile.TemporaryDirectory() as folder:
+            wanted = Wanted(
+                folder, frames, self.size, dome, settings, program.module, program.fps, program.timeout
+            )
+            told = Path(folder) / "wanted.json"
+            told.write_text(wanted.to_json())
+            command = [sys.executable, "-m", "domeshim.measure.exposures", str(told)]
+            ended = subprocess.run(
+                [*command, program.prog, *program.args],
+                cwd=program.folder,
+                stdin=subprocess.DEVNULL,
+                capture_output=True,
+                check=False,
+            )
+            kept = {frame: Path(folder) / f"{frame}.npz" for frame in frames}
+            if not all(path.exists() for path in kept.values()):
+                words = last_words(ended.stderr, ended.returncode).removeprefix("domeshim: ")
+                raise NoExposureError(f"no picture {where}: {words}")
+            lines = ended.stderr.decode(errors="replace").splitlines()
+            notes = tuple(line.removeprefix("domeshim: ") for line in lines if line.startswith("domeshim: "))
+            return Run({frame: Exposure.load(path) for frame, path in kept.items()}, notes)
+
+
+_UNKNOWN = Difference("undecided", "", 0, 0, 0, 0, None)
+
+
+def even_side(exposure: Exposure, largest: int) -> int:
+    """How many pixels wide the dome must be for an angle to have as many as on the monitor, in the median."""
+    assert exposure.places is not None
+    assert exposure.seen is not None
+    places, seen = exposure.places.astype(float), exposure.seen
+    right = (places[1:-1, 2:] - places[1:-1, :-2]) / 2
+    down = (places[2:, 1:-1] - places[:-2, 1:-1]) / 2
+    area = np.abs(right[..., 0] * down[..., 1] - right[..., 1] * down[..., 0])
+    whole = seen[1:-1, 2:] & seen[1:-1, :-2] & seen[2:, 1:-1] & seen[:-2, 1:-1] & (area > 0)
+    side: int = min(exposure.picture.shape[:2])
+    if not whole.any():
+        return side
+    even = round(side / float(np.sqrt(np.median(area[whole]))))
+    return max(16, min(even, largest))
