@@ -19,6 +19,8 @@ _SHARE = 0.5
 """How long an edge may be as a share of its angle from straight behind: its pieces are alike then."""
 _ENDS = {2: ([0], [1]), 3: ([0, 1, 2], [1, 2, 0])}
 """The two ends of each edge, by how many corners there are."""
+_STIFFEST = np.log(1e30)
+"""How many times farther away an edge's one end may be than the other, as a logarithm."""
 
 Floats = NDArray[np.floating]
 
@@ -36,22 +38,28 @@ class Limit:
     """The direction straight behind, in eye space."""
     least: float = 1.0
     """Closer to straight behind than this nothing is drawn; 1: close enough to make no difference."""
+    piece: float = np.inf
+    """The longest edge that needs no pieces."""
 
     def at(self, behind: float) -> float:
         """The limit of an edge that is nowhere closer to straight behind than this."""
         return float(self._near(np.array(behind)))
 
-    def of_edges(self, directions: Floats, angles: Floats) -> Floats:
-        """The limit of each edge, by its ends alone. directions: (m, corners, 3), of its corners.
+    def of_edges(self, directions: Floats, angles: Floats, lengths: Floats) -> Floats:
+        """The limit of each edge, by its ends alone. directions: (m, corners, 3); lengths: (m, corners).
 
-        angles: (m, edges), corner i to i + 1. An arc is nowhere closer to straight behind than its closer end
-        less half its own angle.
+        angles: (m, edges), corner i to i + 1. An arc is nowhere closer to straight behind than its closer
+        end less half its own angle. An edge too stiff for single precision has to come out as one piece.
         """
+        edges = angles.shape[1]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            stiff = (np.abs(np.log(lengths / np.roll(lengths, -1, 1))) > _STIFFEST)[:, :edges]
+        whole = np.where(stiff, self.piece, np.inf)
         if self.least == 1:
-            return np.full_like(angles, self.widest)
+            return np.minimum(whole, self.widest)
         behind = _angles_between(directions, np.array(self.aft))
-        closer = np.minimum(behind, np.roll(behind, -1, 1))[:, : angles.shape[1]]
-        return self._near(closer - angles / 2)
+        closer = np.minimum(behind, np.roll(behind, -1, 1))[:, :edges]
+        return np.minimum(whole, self._near(closer - angles / 2))
 
     def _near(self, behind: Floats) -> Floats:
         if self.least == 1:
@@ -142,7 +150,7 @@ def edges_of(eye: Floats, limit: Limit) -> tuple[Floats, Floats, Floats]:
     directions = points / np.maximum(lengths, 1e-300)[..., None]
     near, far = _ENDS[eye.shape[1]]
     angles = _angles_between(directions[:, near], directions[:, far])
-    return angles, limit.of_edges(directions, angles), lengths
+    return angles, limit.of_edges(directions, angles, lengths), lengths
 
 
 def _angles_between(a: Floats, b: Floats) -> Floats:

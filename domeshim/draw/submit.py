@@ -30,6 +30,10 @@ if TYPE_CHECKING:
 _FEW = 24
 """Up to so many vertices GL's own glVertex costs less than arrays."""
 
+_PATCHES = 0x000E
+_BATCH = 6 * 128
+"""So many vertices of patches are drawn at a time: Mesa's CPU driver mixes up more than 65,536 of a draw."""
+
 _FLOAT, _TEXTURE0, _STREAM_DRAW = 0x1406, 0x84C0, 0x88E0
 _VERTEX_ARRAY_BINDING, _ARRAY_BUFFER, _ARRAY_BUFFER_BINDING, _CLIENT_ACTIVE_TEXTURE = (
     0x85B5,
@@ -120,21 +124,28 @@ class Submitter:
     def draw_all(self, mode: int, run: Run, made: Making = at_once) -> None:
         """Draw all of a run's vertices by one mode."""
         with self._uploaded(run):
-            made(partial(self._driver.glDrawArrays, mode, 0, len(run.positions)))
+            made(partial(self._draw_in_batches, mode, len(run.positions)))
 
     def draw_whole(self, run: Run, made: Making = at_once) -> None:
         """Draw the run's blocks as they are."""
         with self._uploaded(run):
             made(partial(self._draw_blocks, run.blocks))
 
+    def _draw_in_batches(self, mode: int, count: int) -> None:
+        size = _BATCH if mode == _PATCHES else count
+        firsts = list(range(0, count, size or 1))
+        self._draw_parts(mode, firsts, [min(size, count - first) for first in firsts])
+
     def _draw_blocks(self, blocks: tuple[Block, ...]) -> None:
-        gl = self._driver
         for mode, firsts, counts in _draws(blocks):
-            if len(firsts) == 1:
-                gl.glDrawArrays(mode, firsts[0], counts[0])
-            else:
-                count = len(firsts)
-                gl.glMultiDrawArrays(mode, (c_int * count)(*firsts), (c_int * count)(*counts), count)
+            self._draw_parts(mode, firsts, counts)
+
+    def _draw_parts(self, mode: int, firsts: list[int], counts: list[int]) -> None:
+        gl, count = self._driver, len(firsts)
+        if count == 1:
+            gl.glDrawArrays(mode, firsts[0], counts[0])
+        elif count:
+            gl.glMultiDrawArrays(mode, (c_int * count)(*firsts), (c_int * count)(*counts), count)
 
     def _bind_own(self) -> None:
         gl = self._driver

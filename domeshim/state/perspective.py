@@ -74,7 +74,7 @@ def _split(row: Matrix, axis: Matrix) -> tuple[float, Matrix]:
 
 @dataclass(frozen=True)
 class DepthRange:
-    """How far the program's perspective sees, in eye space units."""
+    """How far the program's perspective sees, in eye space units; far may be infinity."""
 
     near: float
     far: float
@@ -86,6 +86,8 @@ class DepthRange:
         The far end is moved out by sqrt(3): the monitor's far plane is flat, and a corner of its view (or of
         a sky box) is that much farther away than its middle; nothing that the monitor shows may vanish.
         """
+        if np.isinf(self.far):
+            return 1.0, -2 * self.near
         near, far = self.near, self.far * np.sqrt(3.0)
         return (far + near) / (far - near), -2 * far * near / (far - near)
 
@@ -99,7 +101,10 @@ def planar(by_distance: tuple[float, float]) -> tuple[float, float]:
     a, b = by_distance
     if b == 0:
         return by_distance
-    near, far = -b / (1 + a) / float(np.sqrt(3.0)), b / (1 - a)
+    near = -b / (1 + a) / float(np.sqrt(3.0))
+    if a == 1:
+        return 1.0, -2 * near
+    far = b / (1 - a)
     return (far + near) / (far - near), -2 * far * near / (far - near)
 
 
@@ -109,8 +114,8 @@ def depth_range(p: Matrix) -> DepthRange:
     near = b / (a - 1) if a != 1 else np.inf
     far = b / (a + 1) if a != -1 else np.inf
     near, far = min(abs(near), abs(far)), max(abs(near), abs(far))
-    if not np.isfinite(far) or far == 0:
-        far = 1e7 * near if 0 < near < np.inf else 1e4
+    if not (0 < near < np.inf) and not 0 < far < np.inf:
+        near, far = 0.0, 1e4
     if not near > 0:
         near = 1e-6 * far
     return DepthRange(float(near), float(max(far, near * (1 + 1e-6))))

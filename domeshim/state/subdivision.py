@@ -28,9 +28,9 @@ _ORDER: dict[Method, str] = {
 _OLDEST = {"tessellate": (4, 0), "geometry": (3, 2), "cpu": (0, 0)}
 """The version of GL from which on each is there."""
 
-_MOST_PIECES = 60
-"""A little under the 64 pieces that every tessellator has."""
-_WIDEST = 1.75
+_MOST_PIECES = 16
+"""Of the 64 pieces that every tessellator has: with more, the inside follows the edges less evenly."""
+_WIDEST = 1.2
 """Within this angle a triangle's inside follows its edges, radians."""
 _SEATED = 0.25
 """From a seat off the centre an angle may look this much smaller than it is on the lens."""
@@ -87,7 +87,7 @@ class Tolerance:
 
     def limit(self, widest: float) -> Limit:
         """The limit to edges of at most this angle, radians, away from straight behind."""
-        return Limit(widest, self.aft, self.least)
+        return Limit(widest, self.aft, self.least, 1 / self.detail)
 
     def broken_by(self, angle: float, behind: float = math.pi) -> bool:
         """An edge of this angle is off by too much as one straight piece.

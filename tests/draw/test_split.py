@@ -104,3 +104,14 @@ def test_straight_behind_makes_no_difference_where_it_is_not_seen():
     assert Limit(WIDEST, AFT, 0.01).at(2.5) == WIDEST
     assert Limit(WIDEST, AFT, 0.01).at(0.1) == pytest.approx(0.05)
     assert Limit(WIDEST, AFT, 0.01).at(0.0) == pytest.approx(0.005)
+
+
+def test_an_edge_too_stiff_for_single_precision_is_cut_until_it_may_stay_whole():
+    piece = 0.1
+    edge = Run(np.array([[1e-30, 0, -1e-30], [-3e29, 8e29, -1e29]], np.float32), {}, ())
+    run = split_wide(edge, 2, np.eye(4), Limit(WIDEST, piece=piece))
+    d = places(run).astype(float).reshape(-1, 2, 3)
+    lengths = np.linalg.norm(d, axis=-1)
+    stiff = lengths.max(1) / lengths.min(1) > 1e30
+    assert (edge_angles(run, 2)[stiff] <= piece).all()
+    assert (edge_angles(run, 2) <= WIDEST).all()

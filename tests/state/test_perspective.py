@@ -5,7 +5,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from domeshim.state.perspective import depth_range, frustum, is_perspective, perspective, perspective_part
+from domeshim.state.perspective import (
+    depth_range,
+    frustum,
+    is_perspective,
+    perspective,
+    perspective_part,
+    planar,
+)
 
 
 def rigid(seed):
@@ -54,8 +61,19 @@ def test_depth_range_reads_near_and_far(near, far):
 
 
 def test_depth_range_of_senseless_planes_is_still_a_range():
-    infinite = perspective(45, 1, 0.1, 100)
-    infinite[2, 2], infinite[2, 3] = -1, -0.2
-    for p in (infinite, perspective(45, 1, 0, 100), perspective(45, 1, -1, 100)):
+    for p in (perspective(45, 1, 0, 100), perspective(45, 1, -1, 100)):
         found = depth_range(p)
         assert 0 < found.near < found.far < np.inf
+
+
+def test_without_a_far_plane_everything_beyond_the_near_one_is_seen():
+    infinite = perspective(45, 1, 0.1, 100)
+    infinite[2, 2], infinite[2, 3] = -1, -0.2
+    found = depth_range(infinite)
+    assert (found.near, found.far) == (0.1, np.inf)
+    a, b = found.uniform
+    assert (a * 0.1 + b) / 0.1 == pytest.approx(-1)
+    assert a + b / 1e30 <= 1
+    a, b = planar(found.uniform)
+    assert a + b / 1e30 <= 1
+    assert (a * 0.1 / np.sqrt(3) + b) / (0.1 / np.sqrt(3)) == pytest.approx(-1)
