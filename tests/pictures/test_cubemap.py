@@ -332,3 +332,34 @@ def test_a_seat_off_the_centre_is_seen_through_the_faces(beside):
     cube = beside.through_dome(room, **options, **CUBE).picture
     assert unlike_all_around(cube, one) < 2e-3
     assert unlike_all_around(one, cube) < 2e-3
+
+
+def test_what_is_drawn_flat_lies_over_the_faces(beside):
+    direct = beside.through_dome(under_a_hud, hud="flat").picture
+    cube = beside.through_dome(under_a_hud, hud="flat", **CUBE).picture
+    assert (direct == (255, 0, 0)).all(-1).sum() > 1000
+    beside.assert_equal(direct, cube, name="cubemap_flat", wrong=0.006)
+
+
+def test_it_is_said_where_the_scene_goes_on_over_what_is_flat(beside, capsys):
+    def scene(gl):
+        under_a_hud(gl)
+        looking(gl)
+        sphere(gl, 0.2)
+        gl.glClear(0)
+
+    def goes_on(gl):
+        under_a_hud(gl)
+        gl.glMatrixMode(gl.GL_PROJECTION)
+        gl.glLoadIdentity()
+        gl.gluPerspective(1, 1, 100, 130)
+        gl.glMatrixMode(gl.GL_MODELVIEW)
+        gl.glTranslatef(0, 0, -115)
+        sphere(gl, 0.2)
+
+    beside.through_dome(scene, hud="flat", **CUBE)
+    assert "straight into the window" not in capsys.readouterr().err  # a clear begins anew
+    beside.through_dome(goes_on, hud="flat", **CUBE)
+    assert (
+        capsys.readouterr().err.count("the scene goes on over what was drawn straight into the window") == 1
+    )

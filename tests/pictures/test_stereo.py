@@ -166,7 +166,11 @@ def test_the_frame_holds_what_each_eye_sees(beside, stereo):
         gl.glCallList(4)
         gl.glRasterPos3f(-1, -1, -3)
         gl.glBitmap(8, 1, 0, 0, 9, 0, b"\xff")
-        gl.glBitmap(8, 1, 0, 0, 9, 0, b"\xff")
+        gl.glNewList(11, gl.GL_COMPILE)  # a letter of a bitmap font
+        gl.glBitmap(8, 1, 0, 0, 9, 2, b"\xff")
+        gl.glEndList()
+        gl.glListBase(10)
+        gl.glCallLists(b"\x01\x01\x01")
         return tuple(gl.glGetFloatv(gl.GL_CURRENT_COLOR)), tuple(gl.glGetIntegerv(gl.GL_VIEWPORT))
 
     size = (SIZE, SIZE // 2) if stereo == "left-right" else (SIZE // 2, SIZE)
