@@ -40,7 +40,7 @@ class ArrayDraws:
             run = draw.read()
             self._extents[draw.key] = extent_of(run)
         extent = self._extents[draw.key]
-        subdivision = self._context.subdivision(extent) if extent is not None else None
+        subdivision = self._context.subdividing.subdivision(extent) if extent is not None else None
         if subdivision is None:
             return False
         if draw.key in self._runs:

@@ -56,7 +56,7 @@ class ListedMesh:
     def __call__(self) -> None:
         """Draw it, and leave its last attributes current."""
         context = self._context
-        self._draw(context.subdivision(self._extent) if self._extent is not None else None)
+        self._draw(context.subdividing.subdivision(self._extent) if self._extent is not None else None)
         self._submitter.make_current(self._run)
 
     def names(self) -> list[int]:
@@ -74,7 +74,9 @@ class ListedMesh:
         if subdivision is None:
             context.draw_list(self._whole)
         elif self._parts is not None and filled(context):
-            for part, of_part in zip(self._meshes, context.subdivisions(self._parts.boxes), strict=True):
+            for part, of_part in zip(
+                self._meshes, context.subdividing.subdivisions(self._parts.boxes), strict=True
+            ):
                 part._draw(of_part)
         elif not self._draw_pieces(subdivision):
             context.draw_list(self._whole)
@@ -103,7 +105,7 @@ class ListedMesh:
         if not subdivision.split and filled(context) and not stippled(context):
             self._patches = self._patches or self._keep(subdivision)
             return self._patches.draw()
-        view = (subdivision, manner(context), context.to_eye.tobytes())
+        view = (subdivision, manner(context), context.subdividing.to_eye.tobytes())
         if view != self._view:
             self._view = view
             if self._in_view is not None:

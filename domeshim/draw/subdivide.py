@@ -47,8 +47,8 @@ class Drawer(Protocol):
 
 def subdivision_of(run: Run, context: DomeContext) -> Subdivision | None:
     """What the run needs to keep the tolerance."""
-    extent = extent_of(run) if context.minds_edges else None
-    return context.subdivision(extent) if extent is not None else None
+    extent = extent_of(run) if context.subdividing.minds_edges else None
+    return context.subdividing.subdivision(extent) if extent is not None else None
 
 
 def subdivide(
@@ -66,7 +66,9 @@ def subdivide(
     if polygon_mode is None or "edge" in run.attributes:
         return False  # which edges of a polygon show is lost in its triangles
     if parts is not None and polygon_mode == FILL:
-        for of_part, alike in groupby(enumerate(context.subdivisions(parts.boxes)), key=itemgetter(1)):
+        for of_part, alike in groupby(
+            enumerate(context.subdividing.subdivisions(parts.boxes)), key=itemgetter(1)
+        ):
             numbers = [number for number, _ in alike]
             part = parts.joined(numbers[0], numbers[-1] + 1)
             if of_part is None or not subdivide(part, context, drawer, of_part, None):
@@ -89,21 +91,21 @@ def _draw_patches(
 ) -> None:
     patch = Patch(kind, "geometry" if subdivision.method == "geometry" else "tessellate", subdivision.split)
     if patch.split:
-        piece = split_wide(piece, patch.corners, context.to_eye, subdivision.limit)
+        piece = split_wide(piece, patch.corners, context.subdividing.to_eye, subdivision.limit)
     drawer.draw_all(patch.mode, piece, partial(context.draw, patch=patch))
 
 
 def _draw_triangles(piece: Run, context: DomeContext, drawer: Drawer) -> None:
     if context.scene.scene().lighting is not None:
         context.say_once("method cpu lights large polygons at more places than their own corners")
-    limit = context.tolerance.limit(1 / context.tolerance.detail)
-    piece = triangles_under(drawer.completed(piece), context.to_eye, limit, flat=_flat(context))
+    limit = context.subdividing.tolerance.limit(1 / context.subdividing.tolerance.detail)
+    piece = triangles_under(drawer.completed(piece), context.subdividing.to_eye, limit, flat=_flat(context))
     drawer.draw_all(TRIANGLES, piece, context.draw)
 
 
 def _draw_strips(run: Run, lines: Indices, context: DomeContext, drawer: Drawer) -> None:
-    limit = context.tolerance.limit(1 / context.tolerance.detail)
-    strips = line_strips(drawer.completed(run), lines, context.to_eye, limit, flat=_flat(context))
+    limit = context.subdividing.tolerance.limit(1 / context.subdividing.tolerance.detail)
+    strips = line_strips(drawer.completed(run), lines, context.subdividing.to_eye, limit, flat=_flat(context))
     drawer.draw_whole(strips, context.draw)
 
 

@@ -225,10 +225,10 @@ class Submitter:
 
 def _subdivision_of_few(recorder: Immediate, context: DomeContext) -> Subdivision | None:
     """What a few vertices need to keep the tolerance."""
-    if not recorder.blocks or recorder.extras or not context.minds_edges:
+    if not recorder.blocks or recorder.extras or not context.subdividing.minds_edges:
         return None
     extent = Extent.unknown() if recorder.has_w else Extent.of_few(recorder.positions)
-    return context.subdivision(extent)
+    return context.subdividing.subdivision(extent)
 
 
 def _draws(blocks: tuple[Block, ...]) -> Iterator[tuple[int, list[int], list[int]]]:

@@ -58,7 +58,7 @@ def _draw(
     if context is None:
         return whole()
     dome.drawing()
-    if context.may_subdivide and mode != _POINTS and dome.draw_arrays(int(mode), vertices()):
+    if context.subdividing.may_subdivide and mode != _POINTS and dome.draw_arrays(int(mode), vertices()):
         return None
     return None if dome.listed(whole) else context.draw(whole)
 

@@ -223,7 +223,7 @@ class Dome:
     @staticmethod
     def _takes_mesh(building: Building, current: WindowDome) -> bool:
         """A display list has room for one more mesh of its own."""
-        return building.meshes < _MESHES_OF_A_LIST and current.context.may_subdivide
+        return building.meshes < _MESHES_OF_A_LIST and current.context.subdividing.may_subdivide
 
     def keep_mesh(self, run: Run) -> None:
         """Put a run into the display list that is being built, to be drawn as each call's view needs."""
@@ -281,7 +281,7 @@ class Dome:
             building.used = True
             if self.listed(partial(current.submitter.draw, run, at_once)):
                 return
-        subdivision = context.subdivision(extent) if extent is not None else None
+        subdivision = context.subdividing.subdivision(extent) if extent is not None else None
         current.submitter.draw_as_needed(run, context, subdivision)
 
     def read_elements(self, count: int, kind: int, indices: object) -> Elements:

@@ -6,17 +6,15 @@ the monitor (DESIGN 2.1). The dome's own state is on only while draws follow eac
 
 from __future__ import annotations
 
-import math
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from domeshim.draw.canvas import canvas_of
-from domeshim.draw.extent import Boxes, Extent
 from domeshim.driver import Driver
 from domeshim.lens.models import Lens, lens_of, rim_radius
 from domeshim.lens.orientation import Orientation
@@ -28,7 +26,7 @@ from domeshim.state.placement import MainView, Placement, Placer
 from domeshim.state.raster import Point, RasterPoints
 from domeshim.state.scene import GROUPS, SceneState
 from domeshim.state.scissor import Edges, edges_of
-from domeshim.state.subdivision import Method, Subdivision, Tolerance, method_of
+from domeshim.state.subdividing import Subdividing
 from domeshim.state.views import Dressing, View, Worn
 from domeshim.state.wardrobe import Look, Wardrobe
 from domeshim.state.window_pixels import WindowPixels
@@ -75,6 +73,7 @@ class DomeContext:
         self._options = options
         self._wardrobe = Wardrobe(driver, options, self.lens, self.orientation)
         self.pixels = WindowPixels(self, options)
+        self.subdividing = Subdividing(self, options)
         self._bypasses: set[str] = set()
         self._passing = False
         self._said: set[str] = set()
@@ -288,63 +287,6 @@ class DomeContext:
         self.driver.glCallList(name)
 
     @property
-    def minds_edges(self) -> bool:
-        """How long the edges of what is drawn now are makes a difference."""
-        return not self.compiling and not self._bypasses and self.method is not None
-
-    @property
-    def may_subdivide(self) -> bool:
-        """What is drawn now could be subdivided."""
-        return not self._bypasses and self.own.current is None and self.method is not None
-
-    def subdivision(self, extent: Extent) -> Subdivision | None:
-        """What a mesh needs to keep the tolerance: nothing, pieces of its edges, or to be split first."""
-        if not self.minds_edges:
-            return None
-        placement = self.seen.placement
-        if placement.hud and self._options.hud != "panel":
-            return None
-        own = self.own.current
-        to_eye = self._to_eye(placement)
-        if extent.surely_seen_from(to_eye, self.tolerance.far):
-            return None
-        angle = extent.largest_angle(to_eye)
-        behind = math.pi
-        if self.tolerance.least < 1:
-            behind = extent.least_angle_from(self.tolerance.aft, to_eye)
-        if own is None:
-            return self.tolerance.subdivision(angle, behind, self.scene.scene)
-        if self.tolerance.broken_by(angle, behind) and not own.own_matrices:
-            self.say_once("long edges drawn by the program's own GLSL stay straight: it is not subdivided")
-        return None
-
-    def subdivisions(self, boxes: Boxes) -> list[Subdivision | None]:
-        """What each part of a mesh needs, where subdivision says that the mesh needs something."""
-        tolerance, to_eye = self.tolerance, self.to_eye
-        angles = boxes.largest_angles(to_eye).tolist()
-        behind = [math.pi] * len(angles)
-        if tolerance.least < 1:
-            behind = boxes.least_angles_from(tolerance.aft, to_eye)
-        return [
-            tolerance.subdivision(angle, b, self.scene.scene) for angle, b in zip(angles, behind, strict=True)
-        ]
-
-    @property
-    def to_eye(self) -> Matrix:
-        """(4, 4): the space of the vertices that are drawn now -> the dome's eye space."""
-        return np.array(self._to_eye(self.seen.placement)).reshape(4, 4).T
-
-    @cached_property
-    def method(self) -> Method | None:
-        """What subdivides, if anything does."""
-        return method_of(self._options.method, self.driver, self.say_once)
-
-    @cached_property
-    def tolerance(self) -> Tolerance:
-        """What the tolerance asks of the lens in this frame."""
-        return Tolerance(self._options, self.lens, self.orientation, self._frame, self.method)
-
-    @property
     def frame(self) -> Frame:
         """The real picture, and the window that the program believes in."""
         return self._frame
@@ -358,16 +300,6 @@ class DomeContext:
             )
         self._frame = frame
         self._projection_stale = True
-        vars(self).pop("tolerance", None)
-
-    def _to_eye(self, placement: Placement) -> Sequence[float]:
-        modelview = self.driver.doubles(_MODELVIEW_MATRIX, 16)
-        if placement.place == "modelview":
-            return modelview
-        whole = np.array(placement.view).reshape(4, 4).T
-        if placement.place == "panel":
-            whole = whole @ self._matrix(_PROJECTION_MATRIX)
-        return tuple((whole @ np.array(modelview).reshape(4, 4).T).T.ravel().tolist())
 
     def undress(self) -> None:
         """Give GL back to the program just as it left it."""
@@ -409,8 +341,8 @@ class DomeContext:
         x, y, w, h = self.driver.integers(_VIEWPORT, 4)
         viewport, scissor = (x, y, w, h), self._ask_scissor()
         self._projection_stale = False
-        modelview = self._matrix(_MODELVIEW_MATRIX) if self.placer.on_modelview else None
-        projection = self.own.projection(self._matrix(_PROJECTION_MATRIX))
+        modelview = self.matrix(_MODELVIEW_MATRIX) if self.placer.on_modelview else None
+        projection = self.own.projection(self.matrix(_PROJECTION_MATRIX))
         placement = self.placer.place(projection, modelview, viewport, self.frame)
         return Seen(viewport, scissor, edges_of(scissor, viewport), projection, placement)
 
@@ -420,7 +352,8 @@ class DomeContext:
         x, y, w, h = self.driver.integers(_SCISSOR_BOX, 4)
         return x, y, w, h
 
-    def _matrix(self, name: int) -> Matrix:
+    def matrix(self, name: int) -> Matrix:
+        """One of GL's matrices, (4, 4)."""
         return np.array(self.driver.doubles(name, 16)).reshape(4, 4).T
 
     def _put_on(self, seen: Seen, scene: Scene) -> None:
@@ -445,7 +378,7 @@ class DomeContext:
             self._wear(
                 Dressing(program.name, outfit.enables, canvas.views, program, canvas.framebuffer), seen
             )
-            self._wardrobe.send(outfit, look, self.tolerance)
+            self._wardrobe.send(outfit, look, self.subdividing.tolerance)
 
     def _flat_views(self, seen: Seen) -> Iterator[View]:
         """The program's window, undistorted, in each eye's part of the frame."""

@@ -1,0 +1,104 @@
+"""What the edges of what is drawn now need to keep the tolerance."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from domeshim.draw.extent import Boxes, Extent
+from domeshim.options import Options
+from domeshim.state.perspective import Matrix
+from domeshim.state.placement import Placement
+from domeshim.state.subdivision import Method, Subdivision, Tolerance, method_of
+from domeshim.window.frame import Frame
+
+if TYPE_CHECKING:
+    from domeshim.state.context import DomeContext
+
+_MODELVIEW_MATRIX, _PROJECTION_MATRIX = 0x0BA6, 0x0BA7
+
+
+class Subdividing:
+    """Judges the meshes of one context by where they are drawn."""
+
+    def __init__(self, context: DomeContext, options: Options) -> None:
+        self._context = context
+        self._options = options
+        self._tolerance: tuple[Frame, Tolerance] | None = None
+
+    @property
+    def minds_edges(self) -> bool:
+        """How long the edges of what is drawn now are makes a difference."""
+        return not self._context.compiling and not self._context.bypassed and self.method is not None
+
+    @property
+    def may_subdivide(self) -> bool:
+        """What is drawn now could be subdivided."""
+        return not self._context.bypassed and self._context.own.current is None and self.method is not None
+
+    def subdivision(self, extent: Extent) -> Subdivision | None:
+        """What a mesh needs to keep the tolerance: nothing, pieces of its edges, or to be split first."""
+        if not self.minds_edges:
+            return None
+        placement = self._context.seen.placement
+        if placement.hud and self._options.hud != "panel":
+            return None
+        own = self._context.own.current
+        to_eye = self._to_eye(placement)
+        if extent.surely_seen_from(to_eye, self.tolerance.far):
+            return None
+        angle = extent.largest_angle(to_eye)
+        behind = math.pi
+        if self.tolerance.least < 1:
+            behind = extent.least_angle_from(self.tolerance.aft, to_eye)
+        if own is None:
+            return self.tolerance.subdivision(angle, behind, self._context.scene.scene)
+        if self.tolerance.broken_by(angle, behind) and not own.own_matrices:
+            self._context.say_once(
+                "long edges drawn by the program's own GLSL stay straight: it is not subdivided"
+            )
+        return None
+
+    def subdivisions(self, boxes: Boxes) -> list[Subdivision | None]:
+        """What each part of a mesh needs, where subdivision says that the mesh needs something."""
+        tolerance, to_eye = self.tolerance, self.to_eye
+        angles = boxes.largest_angles(to_eye).tolist()
+        behind = [math.pi] * len(angles)
+        if tolerance.least < 1:
+            behind = boxes.least_angles_from(tolerance.aft, to_eye)
+        return [
+            tolerance.subdivision(angle, b, self._context.scene.scene)
+            for angle, b in zip(angles, behind, strict=True)
+        ]
+
+    @property
+    def to_eye(self) -> Matrix:
+        """(4, 4): the space of the vertices that are drawn now -> the dome's eye space."""
+        return np.array(self._to_eye(self._context.seen.placement)).reshape(4, 4).T
+
+    @cached_property
+    def method(self) -> Method | None:
+        """What subdivides, if anything does."""
+        return method_of(self._options.method, self._context.driver, self._context.say_once)
+
+    @property
+    def tolerance(self) -> Tolerance:
+        """What the tolerance asks of the lens in this frame."""
+        context = self._context
+        if self._tolerance is None or self._tolerance[0] is not context.frame:
+            found = Tolerance(self._options, context.lens, context.orientation, context.frame, self.method)
+            self._tolerance = context.frame, found
+        return self._tolerance[1]
+
+    def _to_eye(self, placement: Placement) -> Sequence[float]:
+        modelview = self._context.driver.doubles(_MODELVIEW_MATRIX, 16)
+        if placement.place == "modelview":
+            return modelview
+        whole = np.array(placement.view).reshape(4, 4).T
+        if placement.place == "panel":
+            whole = whole @ self._context.matrix(_PROJECTION_MATRIX)
+        return tuple((whole @ np.array(modelview).reshape(4, 4).T).T.ravel().tolist())
