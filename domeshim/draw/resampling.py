@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import moderngl
 import numpy as np
 
+from domeshim.draw.attached import attached
 from domeshim.draw.over import way_cleared
 from domeshim.draw.transfer import plain_transfer
 from domeshim.driver import Driver
@@ -23,21 +24,7 @@ _VERSION = "#version 330\n"
 _STEPS = 4096
 """Of the angles by radius: between two, no lens's curve is off by a hundredth of a pixel."""
 _MOST = 6
-_DEPTH_TEST, _ALWAYS, _DEPTH_RANGE, _SEAMLESS = 0x0B71, 0x0207, 0x0B70, 0x884F
-
-
-class _Loader:
-    """Where moderngl finds GL's functions: where the dome's own calls do."""
-
-    def __init__(self, driver: Driver) -> None:
-        self._driver = driver
-
-    def load_opengl_function(self, name: str) -> int:
-        """A function's address; 0 where this GL has none of that name."""
-        return self._driver.address(name)
-
-    def release(self) -> None:
-        """Nothing is held."""
+_DEPTH_TEST, _ALWAYS, _DEPTH_RANGE = 0x0B71, 0x0207, 0x0B70
 
 
 class Resampling:
@@ -55,11 +42,7 @@ class Resampling:
         """rim: where the picture ends on the disc, 1 the inscribed circle."""
         self._driver = driver
         self._rim = rim
-        seamless = driver.glIsEnabled(_SEAMLESS)
-        moderngl.init_context(loader=_Loader(driver))
-        if not seamless:
-            driver.glDisable(_SEAMLESS)  # which moderngl enables, and Mesa's attribute stack leaves out
-        self._context: Any = moderngl.get_context()
+        self._context = attached(driver)
         seen_along = "aim/seen_seated" if orientation.off_centre else "aim/seen_centred"
         vertex = _VERSION + snippet("cube/window.vert")
         fragment = _VERSION + snippet(seen_along) + snippet("cube/window.frag")
