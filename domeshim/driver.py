@@ -64,6 +64,7 @@ _SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "glIsList": (c_ubyte, (_UINT,)),
     "glGenLists": (_UINT, (_INT,)),
     "glDeleteLists": (None, (_UINT, _INT)),
+    "glClearColor": (None, (_FLOAT,) * 4),
     "glColorMask": (None, (c_ubyte,) * 4),
     "glClear": (None, (c_uint,)),
     "glDrawBuffer": (None, (_ENUM,)),

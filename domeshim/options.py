@@ -14,8 +14,9 @@ from pathlib import Path
 from typing import Literal
 
 from domeshim.errors import OptionError
-from domeshim.lens import catalogue
+from domeshim.lens import catalogue, surfaces
 from domeshim.lens.catalogue import LensName
+from domeshim.lens.surfaces import DOME, SurfaceName
 
 Place = tuple[float, float, float]
 
@@ -40,14 +41,29 @@ class Options:
     lens: LensName = ("equidistant", ())
     method: str = "auto"
     tolerance: float = 0.5
+    surface: SurfaceName = DOME
     hud: str = "panel"
     panel: float = 60.0
     fill: float | None = None
     stereo: Stereo = "off"
     eyes: float = 0.065
     frame: tuple[int, int] | None = None
+    disc: tuple[float, float, float] | None = None
+    """The disc's centre, from the frame's top left, and its radius."""
+    mirror: str = "off"
+    fade: float = 0.0
+    """Over so many degrees the picture fades to black at the rim."""
+    brightness: float = 1.0
+    gamma: float = 1.0
+    vsync: bool | None = None
+    """None: as the program and the driver have it."""
     display: int | None = None
     keep_going: bool = False
+
+    @property
+    def flat_hud(self) -> bool:
+        """The HUD is drawn undistorted, over the disc or beside it."""
+        return self.hud in ("flat", "side")
 
     @property
     def cubemap(self) -> bool:
@@ -70,16 +86,13 @@ class Options:
         """
         environ = os.environ if environ is None else environ
         _reject_misspelt(environ)
-        for variable, default in _LATER.items():
-            _Setting(default, _choice((default,), later=None)).read(
-                _Said(variable, environ.get(variable, ""))
-            )
         said = _said_in(environ, given or {})
         values = {field: _SETTINGS[field].read(text) for field, text in said.items() if field in _FIELDS}
         options = cls(**values)  # type: ignore[arg-type] # each setting's parser gives its field's type
         _check_lens(options, said.get("lens"))
         _check_places(options, said)
         _check_stereo(options, said)
+        _check_surface(options, said)
         return options
 
 
@@ -188,13 +201,13 @@ def _display(text: str) -> int:
     return int(text)
 
 
-def _choice(names: Collection[str], later: Collection[str] | None = ()) -> Callable[[str], str]:
-    """A parser for one of the names; those in later (None: all others) are to come."""
+def _choice(names: Collection[str]) -> Callable[[str], str]:
+    """A parser for one of the names."""
 
     def parse(text: str) -> str:
         if text in names:
             return text
-        raise ValueError("not available in this version" if later is None or text in later else "not known")
+        raise ValueError("not known")
 
     return parse
 
@@ -226,6 +239,13 @@ def _place(text: str) -> Place:
     return numbers[0], numbers[1], numbers[2]
 
 
+def _disc(text: str) -> Place:
+    x, y, radius = _place(text)
+    if radius <= 0:
+        raise ValueError("a radius over 0 is needed")
+    return x, y, radius
+
+
 PRESETS = {"domemaster": {"fov": "180", "tilt": "90", "lens": "equidistant"}}
 """What each DOME_PRESET stands for. A dome master looks straight up, and its front is at the bottom edge."""
 
@@ -248,11 +268,18 @@ _SETTINGS = {
         _method,
     ),
     "tolerance": _Setting("pixels, at least 0.01", _number(lambda pixels: pixels >= 0.01)),
-    "hud": _Setting("panel, flat, off", _choice(("panel", "flat", "off"), later=("side",))),
+    "hud": _Setting("panel, flat, side, off", _choice(("panel", "flat", "side", "off"))),
     "panel": _Setting("degrees over 0 and under 180", _number(lambda degrees: 0 < degrees < 180)),
     "fill": _Setting("off, or degrees over 0 and under 180", _fill),
     "stereo": _Setting(", ".join(STEREO), _choice(STEREO)),
     "eyes": _Setting("a length of at least 0", _number(lambda length: length >= 0)),
+    "surface": _Setting(surfaces.ACCEPTED, str, surfaces.surface_named),
+    "disc": _Setting("x,y,radius in pixels of the frame, from its top left", _disc),
+    "mirror": _Setting("off, horizontal, vertical, both", _choice(("off", "horizontal", "vertical", "both"))),
+    "fade": _Setting("degrees from 0 to 90", _number(lambda degrees: 0 <= degrees <= 90)),
+    "brightness": _Setting("over 0 to 10", _number(lambda factor: 0 < factor <= 10)),
+    "gamma": _Setting("0.1 to 10", _number(lambda power: 0.1 <= power <= 10)),
+    "vsync": _Setting("0 or 1", _flag),
     "frame": _Setting(f"WxH in pixels, each 1 to {LARGEST_SIDE}", parse_size),
     "display": _Setting("a display's number, 0 the first", _display),
     "keep_going": _Setting("0 or 1", _flag),
@@ -274,15 +301,9 @@ def settings_in_environment() -> dict[str, str]:
     return {field: text for field, text in found.items() if text.strip() and field != "enabled"}
 
 
-_LATER = {
-    "DOME_SURFACE": "dome",
-}
-"""Variables of versions to come, with the one value that is true of this version."""
-
-
 def _reject_misspelt(environ: Mapping[str, str]) -> None:
     """Raise OptionError for a DOME_* variable that is nearly, but not quite, one of ours."""
-    known = {*VARIABLES.values(), *_LATER}
+    known = set(VARIABLES.values())
     strangers = sorted(name for name in environ if name.startswith("DOME_") and name not in known)
     if not strangers:
         return
@@ -313,6 +334,21 @@ def _check_stereo(options: Options, said: Mapping[str, _Said]) -> None:
         method = said["method"]
         accepted = f"with {said['stereo'].name}={options.stereo} any other method"
         raise _malformed(method.name, method.text, "its faces are seen by one eye", accepted)
+
+
+def _check_surface(options: Options, said: Mapping[str, _Said]) -> None:
+    """Raise OptionError for what a surface or a finish cannot be had with."""
+    shared = options.stereo in ("top-bottom", "left-right")
+    if options.cubemap and options.surface[0] == "keystone":
+        reason = "method cubemap knows no keystone; take another method, or a warp mesh"
+    elif shared and options.surface[0] == "mesh":
+        reason = f"one mesh for two discs, where DOME_STEREO is {options.stereo}; take left or right"
+    else:
+        if shared and options.fade:
+            fade = said["fade"]
+            raise _malformed(fade.name, fade.text, f"DOME_STEREO is {options.stereo}", "0 with two discs")
+        return
+    raise _malformed(said["surface"].name, said["surface"].text, reason, surfaces.ACCEPTED)
 
 
 def _check_places(options: Options, said: Mapping[str, _Said]) -> None:

@@ -55,6 +55,9 @@ class Dome(Protocol):
     def frame_ending(self, window: Window) -> None:
         """The picture is complete: what must still be drawn over it is drawn now."""
 
+    def showing(self, window: Window) -> None:
+        """The window's back buffer is about to be seen: make of it what the projector needs."""
+
     def toggle_card(self, window: Window) -> bool:
         """Show the test card over the window's pictures, or no longer; False for a window left as it is."""
 
@@ -252,6 +255,8 @@ class Session:
 
     def show(self, window: Window) -> None:
         """The picture in the window's back buffer is whole: count it, let it be seen, and show it."""
+        if self.dome is not None and window not in self._unbent:
+            self.dome.showing(window)
         self.frames += 1
         for listener in tuple(self.listeners):
             listener.frame_finished(window, self.frames)

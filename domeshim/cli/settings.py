@@ -17,10 +17,11 @@ Command = Callable[..., Job | int | None]
 
 FIELDS = (
     *("config", "preset", "fov", "tilt", "heading", "roll", "seat", "projector", "radius", "lens"),
-    *("method", "tolerance", "hud", "panel", "fill", "stereo", "eyes", "frame", "display"),
+    *("method", "tolerance", "hud", "panel", "fill", "stereo", "eyes"),
+    *("surface", "disc", "mirror", "fade", "brightness", "gamma", "frame", "display", "vsync"),
 )
 """The fields of Options that domeshim run can be told."""
-FIELDS_OFF_SCREEN = tuple(field for field in FIELDS if field not in ("frame", "display"))
+FIELDS_OFF_SCREEN = tuple(field for field in FIELDS if field not in ("frame", "display", "vsync"))
 """Those that mean something where no window is shown."""
 AS_TYPED = {"allow_interspersed_args": False}
 """Context settings of a command that runs a program: what follows the program's name is the program's."""

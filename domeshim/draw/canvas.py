@@ -66,6 +66,7 @@ class DiscCanvas:
         self, options: Options, frame: Frame, lens: Lens, orientation: Orientation, rim: float
     ) -> None:
         """rim: where the picture ends on the disc, 1 the inscribed circle."""
+        self._frame = frame
         self._lens = lens
         self._rim = rim
         self._orientation = orientation
@@ -82,14 +83,14 @@ class DiscCanvas:
 
     def places(self, direction: Floats) -> list[tuple[float, float, float] | None]:
         """As for Canvas."""
-        x, y = (disc_of(direction, self._lens, self._orientation) + 1) / 2
-        boxes = (view.viewport for view in self.views)
-        return [(float(left + x * w), float(bottom + y * h), 1.0) for left, bottom, w, h in boxes]
+        disc = disc_of(direction, self._lens, self._orientation)
+        found = (self._frame.place_of(disc, view.viewport) for view in self.views)
+        return [(float(x), float(y), 1.0) for x, y in found]
 
     def direction(self, x: float, y: float) -> tuple[Floats, float] | None:
         """As for Canvas."""
-        for left, bottom, w, h in (view.viewport for view in self.views):
-            disc = np.array([2 * (x - left) / w - 1, 2 * (y - bottom) / h - 1])
+        for view in self.views:
+            disc = self._frame.disc_of(np.array([x, y]), view.viewport)
             if np.hypot(*disc) < self._rim:
                 return direction_of(disc, self._lens, self._orientation), 1.0
         return None

@@ -10,6 +10,7 @@ import numpy as np
 from domeshim.draw.canvas import Canvas
 from domeshim.draw.over import way_cleared
 from domeshim.driver import Driver
+from domeshim.lens.keystone import WHOLE, Keystone
 from domeshim.lens.models import Lens
 from domeshim.lens.orientation import Orientation
 from domeshim.shading.compose import Source
@@ -27,8 +28,11 @@ _CELLS, _DRAW_FRAMEBUFFER = 64 * 128, 0x8CA9
 class PartClear:
     """Clears parts of one context's dome."""
 
-    def __init__(self, driver: Driver, lens: Lens, fov: float, orientation: Orientation) -> None:
+    def __init__(
+        self, driver: Driver, lens: Lens, fov: float, orientation: Orientation, keystone: Keystone | None
+    ) -> None:
         """fov: the dome's, degrees."""
+        self._keystone = keystone or Keystone(WHOLE)
         self._driver = driver
         self._lens = lens
         self._half = float(np.radians(fov / 2))
@@ -69,7 +73,7 @@ class PartClear:
         gl = self._driver
         if self._program is None:
             seen_along = "aim/seen_seated" if self._orientation.off_centre else "aim/seen_centred"
-            disc = (f"lens/{self._lens.name}", seen_along, "frame/clear.vert")
+            disc = (f"lens/{self._lens.name}", seen_along, "surface/keystone", "frame/clear.vert")
             names = disc if kind == "disc" else ("frame/clear_face.vert",)
             vertex = Source.join((name, snippet(name)) for name in names)
             fragment = Source.join([("frame/clear.frag", snippet("frame/clear.frag"))])
@@ -84,6 +88,7 @@ class PartClear:
             for uniform, values in self._orientation.uniforms:
                 self._program.set(uniform, values)
             self._program.set("domeHalf", (self._half,))
+            self._program.set("domeKeystone", self._keystone.uniform)
         self._program.set("domeDepth", (2 * gl.doubles(_DEPTH_CLEAR_VALUE, 1)[0] - 1,))
         self._program.set("domeSeen", tuple(seen.T.ravel()))
         self._program.set("domeEdges", edges.bounds)

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from functools import cached_property
+
+import numpy as np
+
 from domeshim.draw.over import way_cleared
 from domeshim.driver import Driver
+from domeshim.lens.keystone import Keystone
 from domeshim.shading.compose import Source
 from domeshim.shading.program import Program
 from domeshim.shading.snippets import snippet
 from domeshim.window.frame import Frame
 
-_TRIANGLE_STRIP, _SCISSOR_TEST = 0x0005, 0x0C11
+_TRIANGLES, _TRIANGLE_STRIP, _SCISSOR_TEST = 0x0004, 0x0005, 0x0C11
 _RING = 2 * (128 + 1)
 """Vertices of each ring that glsl/frame/rim.vert.glsl makes."""
 
@@ -27,17 +32,26 @@ class Rim:
         self._edge = Program(driver, vertex, _source("frame/rim.frag"))
         self._outside = Program(driver, vertex, _source("frame/black.frag"))
 
+    @cached_property
+    def _keystone(self) -> Program:
+        return Program(self._driver, _source("frame/whole.vert"), _source("frame/rim_keystone.frag"))
+
     def draw(self, frame: Frame, radius: float) -> None:
         """Blacken all of the frame outside the disc; radius: of the picture, 1 the inscribed circle."""
         gl = self._driver
         with way_cleared(gl):
             gl.glColorMask(1, 1, 1, 1)
             gl.glViewport(0, 0, *frame.size)
-            if len(frame.parts) > 1:
+            if len(frame.parts) > 1 or frame.aside:
                 gl.glEnable(_SCISSOR_TEST)
-            for (x, y, side, _), part in zip(frame.squares, frame.parts, strict=True):
-                gl.glScissor(*part)
-                self._around(frame, (x + side / 2, y + side / 2, radius * side / 2))
+            for square, part in zip(frame.squares, frame.parts, strict=True):
+                gl.glScissor(*(square if frame.aside else part))
+                x, y, side, _ = square
+                disc = x + side / 2, y + side / 2, radius * side / 2
+                if frame.keystone is None:
+                    self._around(frame, disc)
+                else:
+                    self._around_corners(frame.keystone, disc, side / 2)
 
     def _around(self, frame: Frame, disc: tuple[float, float, float]) -> None:
         """Blacken what is outside one disc: its centre and radius, pixels."""
@@ -46,3 +60,12 @@ class Rim:
             program.set("domeDisc", disc)
             program.set("domeFrame", frame.size)
             self._driver.glDrawArrays(_TRIANGLE_STRIP, ring * _RING, _RING)
+
+    def _around_corners(self, keystone: Keystone, disc: tuple[float, float, float], half: float) -> None:
+        """Blacken what is outside a disc whose square, of this half a side, goes to four corners."""
+        program = self._keystone
+        self._driver.glUseProgram(program.name)
+        program.set("domeDisc", disc)
+        program.set("domeHalfSide", (half,))
+        program.set("domeToSquare", tuple(np.linalg.inv(keystone.matrix).T.ravel().tolist()))
+        self._driver.glDrawArrays(_TRIANGLES, 0, 3)

@@ -12,12 +12,16 @@ import numpy as np
 from domeshim.draw.arrays import ArrayDraws
 from domeshim.draw.card import TestCard
 from domeshim.draw.extent import Extent
+from domeshim.draw.finishing import Finishing, finishes
 from domeshim.draw.listed import ListedDraw, ListedMesh
 from domeshim.draw.materials import material_run
 from domeshim.draw.rim import Rim
 from domeshim.draw.subdivide import at_once
 from domeshim.draw.submit import Submitter
 from domeshim.driver import Driver
+from domeshim.errors import OptionError
+from domeshim.lens.keystone import keystone_of
+from domeshim.options import Options
 from domeshim.record.arrays import ArrayReader, Elements
 from domeshim.record.immediate import Immediate, Run
 from domeshim.record.lists import Building, DisplayLists
@@ -27,6 +31,8 @@ from domeshim.window.frame import Frame, Rectangle
 from domeshim.window.subwindow import SubWindow
 
 if TYPE_CHECKING:
+    from domeshim.draw.finish import Finish
+    from domeshim.lens.mesh import Floats
     from domeshim.session import Session
     from domeshim.window.contract import Window
 
@@ -50,7 +56,16 @@ def inside_block(context: DomeContext) -> Iterator[None]:
 
 def _frame(session: Session, window: Window, program_size: tuple[int, int]) -> Frame:
     inside = window.inside if isinstance(window, SubWindow) else None
-    return Frame(window.size, program_size, inside, session.options.stereo)
+    options = session.options
+    return Frame(
+        window.size,
+        program_size,
+        inside,
+        options.stereo,
+        options.disc,
+        keystone_of(options),
+        aside=options.hud == "side",
+    )
 
 
 OLDEST_GL = (3, 0)
@@ -74,6 +89,28 @@ class WindowDome:
         self.array_draws = ArrayDraws(self.context, self.submitter)
         self.rim = Rim(driver)
         self.card = TestCard(driver, session.options)
+        self._finish: tuple[Finishing, Finish] | None = None
+
+    def finishing(self, options: Options) -> Finishing:
+        """What the projector wants of this window's pictures."""
+        if self._finish is None or self._finish[0].frame != self.context.frame:
+            return Finishing(options, self.context.frame)
+        return self._finish[0]
+
+    def finish(self, options: Options) -> None:
+        """Make of the picture in the back buffer what the projector needs; the window must be current."""
+        wanted = self.finishing(options)
+        if self._finish is None or self._finish[0] is not wanted:
+            from domeshim.draw.finish import Finish  # noqa: PLC0415 - moderngl for those alone who need it
+
+            if self._finish is not None:
+                self._finish[1].close()
+            self._finish = wanted, Finish(self.context.driver, wanted)
+        self._finish[1].draw()
+
+    def before_finish(self, place: Floats, options: Options) -> Floats:
+        """Where a place (2,) of what is seen was before it was finished."""
+        return self.finishing(options).before(place) if finishes(options) else place
 
 
 class Dome:
@@ -97,6 +134,9 @@ class Dome:
         self._driver.require(OLDEST_GL)
         around = self._windows.get(window.outermost) if isinstance(window, SubWindow) else None
         frame = _frame(self._session, window, program_size)
+        if frame.aside and around is None and 0 in frame.strip()[2:]:
+            size = "{}x{}".format(*frame.size)
+            raise OptionError(f"DOME_HUD=side: {size} has no room beside the disc; set DOME_FRAME=WxH")
         self._windows[window] = WindowDome(self._session, self._driver, frame, around)
         self.window_current(window)
 
@@ -143,7 +183,10 @@ class Dome:
         if window not in self._windows:
             return x, y  # its pictures are left as they are
         sight = self._windows[window].context.pixels.sight
-        place = sight.to_program(np.array([x, sight.frame.size[1] - y]))
+        seen = self._windows[window].before_finish(
+            np.array([x, sight.frame.size[1] - y]), self._session.options
+        )
+        place = sight.to_program(seen)
         return float(place[0]), float(sight.frame.program_size[1] - place[1])
 
     def frame_place(self, window: Window, x: float, y: float) -> tuple[float, float]:
@@ -328,6 +371,14 @@ class Dome:
         ended.context.settle()
         ended.rim.draw(ended.context.frame, ended.context.rim)
         ended.card.draw(ended.context.frame)
+
+    def showing(self, window: Window) -> None:
+        """The window's back buffer is about to be seen: make of it what the projector needs."""
+        shown = self._windows.get(window)
+        if shown is None or shown.context.passing or not finishes(self._session.options):
+            return
+        shown.context.undress()
+        shown.finish(self._session.options)
 
     def toggle_card(self, window: Window) -> bool:
         """Show the test card over the window's pictures, or no longer; False for a window left as it is."""

@@ -11,7 +11,12 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from domeshim.options import Options
+
 Floats = NDArray[np.float64]
+
+WHOLE = (0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0)
+"""The corners of the square itself."""
 
 
 @dataclass(frozen=True)
@@ -31,7 +36,7 @@ class Keystone:
             rows += [[x, y, 1, 0, 0, 0, -u * x, -u * y, -u], [0, 0, 0, x, y, 1, -v * x, -v * y, -v]]
         *_, last = np.linalg.svd(np.array(rows))
         found = last[-1].reshape(3, 3)
-        return np.asarray(found / found[2, 2])
+        return np.asarray(found / found[2, 2], float)
 
     def to_frame(self, disc: Floats) -> Floats:
         """disc: (..., 2) -> (..., 2) where the square's place goes."""
@@ -39,7 +44,12 @@ class Keystone:
 
     def to_disc(self, places: Floats) -> Floats:
         """The inverse of to_frame."""
-        return _through(np.linalg.inv(self.matrix), places)
+        return _through(np.asarray(np.linalg.inv(self.matrix), float), places)
+
+    @property
+    def uniform(self) -> tuple[float, ...]:
+        """The value of the snippet's domeKeystone."""
+        return tuple(self.matrix.T.ravel().tolist())
 
     @property
     def stretch(self) -> float:
@@ -50,12 +60,10 @@ class Keystone:
         return float(np.linalg.norm(np.stack(aside, -1), ord=2, axis=(-2, -1)).max())
 
 
-def convex(corners: tuple[float, ...]) -> bool:
-    """The four corners go round a convex figure, to the left."""
-    points = np.reshape(corners, (4, 2))
-    sides = np.roll(points, -1, 0) - points
-    following = np.roll(sides, -1, 0)
-    return bool((sides[:, 0] * following[:, 1] - sides[:, 1] * following[:, 0] > 1e-6).all())
+def keystone_of(options: Options) -> Keystone | None:
+    """The keystone that the options ask for, if any."""
+    kind, corners = options.surface
+    return Keystone(tuple(map(float, corners))) if kind == "keystone" else None
 
 
 def _through(matrix: Floats, places: Floats) -> Floats:

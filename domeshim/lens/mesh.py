@@ -1,7 +1,7 @@
 """Warp meshes: which place of the dome's picture each place of the projector's frame shows.
 
-Two kinds of file: Paul Bourke's warping meshes (paulbourke.net/dataformats/meshwarp: a kind, a size, then a line
-"x y u v i" a node), and OBJ objects with texture coordinates.
+Two kinds of file: Paul Bourke's warping meshes (paulbourke.net/dataformats/meshwarp: a kind, a size, then a
+line "x y u v i" a node), and OBJ objects with texture coordinates.
 """
 
 from __future__ import annotations
@@ -29,16 +29,16 @@ class WarpMesh:
     """Triangles of the frame, each with the part of the dome's picture that it shows."""
 
     places: Floats
-    """(n, 2): of each node in the frame, -1 to 1 from its left to its right edge and from its bottom to its top."""
+    """(n, 2): of each node in the frame, -1 to 1 from left to right and from bottom to top."""
     picture: Floats
-    """(n, 2): the place of the dome's square picture that it shows, 0 to 1 from the left and from the bottom."""
+    """(n, 2): what it shows of the dome's square picture, 0 to 1 from left to right and bottom to top."""
     intensity: Floats
     """(n,): what the picture is multiplied by there, to even the light out."""
     triangles: NDArray[np.int64]
     """(m, 3): indices of nodes."""
 
     def shown_at(self, places: Floats) -> Floats:
-        """places: (k, 2) in the frame, as self.places -> (k, 2) of the picture shown there, nan where none is.
+        """places: (k, 2) in the frame, as self.places -> (k, 2) of the picture shown there, nan for none.
 
         Where triangles lie over each other the last one counts, as it does when they are drawn.
         """
@@ -68,7 +68,9 @@ def read_mesh(path: Path, aspect: float) -> WarpMesh:
     except (OSError, UnicodeDecodeError) as error:
         reason = error.strerror if isinstance(error, OSError) else "not a text file"
         raise MeshError(f"{path}: {reason}") from None
-    return _read_obj(path, text, aspect) if path.suffix.lower() == ".obj" else _read_bourke(path, text, aspect)
+    return (
+        _read_obj(path, text, aspect) if path.suffix.lower() == ".obj" else _read_bourke(path, text, aspect)
+    )
 
 
 def _read_bourke(path: Path, text: str, aspect: float) -> WarpMesh:
@@ -146,7 +148,12 @@ def _corner(text: str, places: int, pictures: int) -> tuple[int, int]:
 
 
 def _mesh(
-    path: Path, places: Floats, picture: Floats, intensity: Floats, triangles: NDArray[np.int64], aspect: float
+    path: Path,
+    places: Floats,
+    picture: Floats,
+    intensity: Floats,
+    triangles: NDArray[np.int64],
+    aspect: float,
 ) -> WarpMesh:
     """The mesh, without the triangles that a node of negative intensity switches off.
 

@@ -79,6 +79,7 @@ def compose(recipe: Recipe) -> Source:
     draft = Draft()
     draft.add("vec4 eye = gl_ModelViewMatrix * gl_Vertex;")
     _position(draft, recipe)
+    add_surface(draft, recipe.mapping)
     add_attributes(draft, recipe)
     _raster(draft, recipe)
     return draft.source()
@@ -96,6 +97,13 @@ def add_attributes(draft: Draft, recipe: Recipe) -> None:
     if recipe.scene.point_attenuation:
         draft.need("point/attenuated")
         draft.add("gl_PointSize = pointSize(eye);")
+
+
+def add_surface(draft: Draft, mapping: Mapping) -> None:
+    """Take gl_Position from the disc to what the picture falls on."""
+    if mapping.keystone:
+        draft.need("surface/keystone")
+        draft.add("gl_Position = onSurface(gl_Position);")
 
 
 def _position(draft: Draft, recipe: Recipe) -> None:

@@ -42,7 +42,7 @@ void domeEmit() {
 }
 #define EmitVertex domeEmit
 """
-_NAMES = re.compile(r"\b(beside|bent|onFace|lensRadius|aimed|inFront|insideViewport)\b")
+_NAMES = re.compile(r"\b(beside|bent|onFace|lensRadius|aimed|inFront|insideViewport|onSurface)\b")
 
 
 @dataclass(frozen=True)
@@ -57,6 +57,8 @@ class Landing:
     """Onto the faces of a cube."""
     beside: bool = False
     """As an eye sees it that stands beside the viewer's middle."""
+    keystone: bool = False
+    """The disc's square goes to four corners."""
 
 
 @dataclass(frozen=True)
@@ -125,6 +127,8 @@ def _before(stage: Stage, landing: Landing, *, cut: bool, planes: Planes) -> str
         names.append("eye/beside")
     if landing.aim != "straight":
         names.append(f"aim/{landing.aim}")
+    if landing.keystone:
+        names.append("surface/keystone")
     if cut:
         names += (
             ["clip/panel"] if landing.face else ["clip/cone" if landing.wide else "clip/behind", "clip/panel"]
@@ -165,6 +169,8 @@ def _land(landing: Landing, *, cut: bool, planes: Planes) -> str:
     if cut and not landing.face:
         lines.append(f"    gl_ClipDistance[{RIM_DISTANCE}] = domeInFront(place);")
     lines.append("}")
+    if landing.keystone:
+        lines.append("if (domeMode > 0.5) gl_Position = domeOnSurface(gl_Position);")
     return "\n".join(["void domeLand() {", *(f"    {line}" for line in lines), "}", ""])
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from domeshim.shading.compose import Draft, Source, add_attributes
+from domeshim.shading.compose import Draft, Source, add_attributes, add_surface
 from domeshim.shading.recipe import Patch, Recipe
 
 
@@ -75,6 +75,7 @@ def add_vertex(draft: Draft, recipe: Recipe, shares: str) -> None:
         f"vec4 position = {_blend('b', 'gl_in[{}].gl_Position', patch)};", "vec4 place = placeOf(position);"
     )
     _add_position(draft, recipe)
+    add_surface(draft, recipe.mapping)
     weights = "b"
     if patch.split:
         draft.add(f"vec3 share = {_blend('b', shares + '[{}]', patch)};")

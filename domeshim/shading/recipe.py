@@ -115,6 +115,8 @@ class Mapping:
     """As an eye sees it that stands beside the viewer's middle."""
     face: bool = False
     """Onto the faces of a cube by plain perspectives, not through the lens."""
+    keystone: bool = False
+    """The disc's square goes to four corners."""
     sides: tuple[int, ...] = ()
     """The scissor's edges that cut a view on the dome: 0 left, 1 right, 2 bottom, 3 top."""
     raster: Literal["point", "nowhere"] | None = None

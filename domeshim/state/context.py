@@ -359,7 +359,7 @@ class DomeContext:
     def _put_on(self, seen: Seen, scene: Scene) -> None:
         placement, canvas = seen.placement, self.canvas
         look = Look(placement, scene, seen.edges, self._patch, self._raster, self.own.fragments)
-        if placement.hud and self._options.hud == "flat":
+        if placement.hud and self._options.flat_hud:
             self.own.leave_straight()
             self.undress()
             canvas.settle(deep=True, straight=True)

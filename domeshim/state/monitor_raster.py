@@ -36,7 +36,7 @@ def monitor_raster(context: DomeContext, options: Options) -> Raster | None:
     """
     x, y, depth, w = context.driver.doubles(POSITION, 4)
     placement, sight = context.seen.placement, context.pixels.sight
-    if placement.hud and options.hud == "flat":
+    if placement.hud and options.flat_hud:
         return Raster((*context.frame.from_flat(x, y), depth, w))
     found = context.canvas.direction(x, y)
     if found is None:

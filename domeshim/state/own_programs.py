@@ -9,6 +9,7 @@ import numpy as np
 
 from domeshim.driver import Driver
 from domeshim.lens.detail import cone
+from domeshim.lens.keystone import keystone_of
 from domeshim.lens.models import Lens
 from domeshim.lens.orientation import Orientation
 from domeshim.options import Options
@@ -32,8 +33,14 @@ class OwnPrograms:
         self._orientation = orientation.turned_only if options.cubemap else orientation
         self._fov = np.radians(options.fov)
         aim = self._orientation.aim
+        self._keystone = keystone_of(options)
         self._landing = Landing(
-            lens.name, aim, wide=options.fov > 180, face=options.cubemap, beside=options.stereo != "off"
+            lens.name,
+            aim,
+            wide=options.fov > 180,
+            face=options.cubemap,
+            beside=options.stereo != "off",
+            keystone=self._keystone is not None,
         )
         self._programs: dict[int, OwnProgram] = {}
         self._stages: dict[int, FragmentStage] = {}
@@ -130,6 +137,8 @@ class OwnPrograms:
             own.set("domeLens", self._lens.uniform)
         for uniform, values in self._orientation.uniforms:
             own.set(uniform, values)
+        if self._keystone is not None:
+            own.set("domeKeystone", self._keystone.uniform)
         if self._landing.wide and not face:
             own.set("domeRim", cone(np.pi - self._fov / 2))
         own.set("domeEdges", edges.bounds)

@@ -52,9 +52,7 @@ class Sight:
     def to_frame(self, places: Floats) -> Floats:
         """Places of the program's window -> of the frame, also beyond the disc's rim."""
         disc = disc_of(self.directions(places), self.lens, self.orientation)
-        x, y, side, _ = self.frame.square
-        found: Floats = (disc + 1) * (side / 2) + (x, y)
-        return found
+        return self.frame.place_of(disc)
 
     def directions(self, places: Floats) -> Floats:
         """Places of the program's window -> (..., 3) where they are seen, in eye space."""
@@ -66,8 +64,7 @@ class Sight:
 
     def directions_on_dome(self, places: NDArray[np.floating]) -> Floats:
         """Places of the frame -> (..., 3) what is seen there, unit vectors in eye space."""
-        x, y, side, _ = self.frame.square
-        disc = (np.asarray(places, float) - (x, y)) * (2 / side) - 1
+        disc = self.frame.disc_of(places)
         radius = np.hypot(disc[..., 0], disc[..., 1])
         within = self.rim * (1 - 1e-9)
         disc = disc * (within / np.maximum(radius, within))[..., None]
@@ -75,9 +72,8 @@ class Sight:
 
     def within(self, places: NDArray[np.floating]) -> NDArray[np.bool_]:
         """Which places of the frame lie on the dome's picture: (...)."""
-        x, y, side, _ = self.frame.square
-        disc = np.asarray(places, float) - (x, y) - side / 2
-        return np.asarray(np.hypot(disc[..., 0], disc[..., 1]) <= self.rim * side / 2)
+        disc = self.frame.disc_of(places)
+        return np.asarray(np.hypot(disc[..., 0], disc[..., 1]) <= self.rim)
 
     def monitor_depth(self, depth: Floats, directions: Floats) -> Floats:
         """What the monitor's depth buffer would hold, 0 to 1, where the dome's holds depth.

@@ -68,7 +68,7 @@ class Tolerance:
     ) -> None:
         self._method = method
         self._always = options.method in ("tessellate", "geometry")
-        radius = frame.square[2] / 2
+        radius = frame.square[2] / 2 * (frame.keystone.stretch if frame.keystone else 1.0)
         self.details = pieces_within_caps(lens, options.fov, radius, options.tolerance, orientation)
         """How many pieces an arc of one radian needs, by how close it stays to the axis."""
         self.detail = self.details[0]

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from domeshim.driver import Driver
 from domeshim.lens.detail import cone
+from domeshim.lens.keystone import keystone_of
 from domeshim.lens.models import Lens
 from domeshim.lens.orientation import Orientation
 from domeshim.options import Options
@@ -59,6 +60,7 @@ class Wardrobe:
         self._options = options
         self._lens = lens
         self._orientation = orientation.turned_only if options.cubemap else orientation
+        self._keystone = keystone_of(options)
         self._programs: dict[Recipe, Program] = {}
         self._outfits: dict[tuple[object, ...], Outfit] = {}
         self._sent: dict[int, tuple[Placement, Edges, Tolerance]] = {}
@@ -131,6 +133,7 @@ class Wardrobe:
             near_behind=self._options.fov > 180 or self._orientation.off_centre,
             face=self._options.cubemap,
             beside=self._options.stereo != "off" and place != "panel",
+            keystone=self._keystone is not None,
             sides=() if place == "panel" else look.edges.inner,
             raster=None if not look.raster else "nowhere" if hidden else "point",
         )
@@ -167,6 +170,8 @@ class Wardrobe:
             uniforms.append(("domeDepth", planar(depth) if mapping.face else depth))
             if mapping.wide and not mapping.face:
                 uniforms.append(("domeRim", cone(tolerance.left_out)))
+        if self._keystone is not None:
+            uniforms.append(("domeKeystone", self._keystone.uniform))
         return [*uniforms, *self._orientation.uniforms]
 
 

@@ -43,7 +43,7 @@ class WindowPixels:
         placement, frame, canvas = context.seen.placement, context.frame, context.canvas
         if context.placer.has_perspective and self._options.hud == "off":
             return [None]
-        if context.placer.has_perspective and self._options.hud == "flat":
+        if context.placer.has_perspective and self._options.flat_hud:
             corner = (round(x), round(y), 0, 0)
             return [(*frame.flat(corner, eye)[:2], depth) for eye in range(len(frame.parts))]
         main = context.placer.through_window(frame)
@@ -83,7 +83,7 @@ class WindowPixels:
             return Region((0, 0, *frame.size))
         if placer.has_perspective and self._options.hud == "off":
             return None
-        if placer.has_perspective and self._options.hud == "flat":
+        if placer.has_perspective and self._options.flat_hud:
             return Region(frame.flat(part))
         sight = self.sight
         key = (sight.view.camera.tobytes(), sight.view.viewport, frame, part)
@@ -119,7 +119,7 @@ class WindowPixels:
         main = context.placer.through_window(context.frame)
         if edges.empty or scissor is None or context.hides(placement):
             return
-        if placement.hud and self._options.hud == "flat":
+        if placement.hud and self._options.flat_hud:
             for eye in range(len(context.frame.parts)):
                 context.driver.glScissor(*context.frame.flat(scissor, eye))
                 context.driver.glClear(mask)
@@ -133,4 +133,5 @@ class WindowPixels:
     @cached_property
     def _part_clear(self) -> PartClear:
         context = self._context
-        return PartClear(context.driver, context.lens, self._options.fov, context.orientation)
+        keystone = context.frame.keystone
+        return PartClear(context.driver, context.lens, self._options.fov, context.orientation, keystone)

@@ -5,9 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+import numpy as np
+from numpy.typing import NDArray
+
 if TYPE_CHECKING:
+    from domeshim.lens.keystone import Keystone
     from domeshim.options import Stereo
 
+Floats = NDArray[np.float64]
 Rectangle = tuple[int, int, int, int]
 """x, y, width, height in pixels, the origin at the bottom left as in glViewport."""
 
@@ -32,6 +37,13 @@ class Frame:
 
     stereo: Stereo = "off"
     """How the eyes share the picture."""
+    disc: tuple[float, float, float] | None = None
+    """The disc's centre from the top left, and its radius, pixels; None: the largest, in the middle. For eyes
+    that share the picture, in the part of each."""
+    keystone: Keystone | None = None
+    """Where the corners of the disc's square go, if not to the square's own."""
+    aside: bool = False
+    """What is drawn flat lies beside the disc, not over it."""
 
     @property
     def outer(self) -> Rectangle:
@@ -51,13 +63,35 @@ class Frame:
 
     @property
     def squares(self) -> tuple[Rectangle, ...]:
-        """The centre square of each part; a disc touches its sides."""
-        return tuple(_centre_square(part) for part in self.parts)
+        """Of each part the square whose sides a disc touches: in its middle, unless the disc lies elsewhere."""
+        return tuple(self._square_in(part) for part in self.parts)
 
     @property
     def square(self) -> Rectangle:
-        """The centre square of the picture, or of the left eye's part."""
+        """The square of the picture's disc, or of the left eye's."""
         return self.squares[0]
+
+    def _square_in(self, part: Rectangle) -> Rectangle:
+        left, bottom, width, height = part
+        if self.disc is None:
+            side = min(width, height)
+            return left + (width - side) // 2, bottom + (height - side) // 2, side, side
+        x, y, radius = self.disc
+        side = round(2 * radius)
+        return round(left + x - radius), round(bottom + height - y - radius), side, side
+
+    def place_of(self, disc: Floats, square: Rectangle | None = None) -> Floats:
+        """(..., 2) on the disc, 1 at the square's sides -> (..., 2) pixels; square: of one eye's disc."""
+        x, y, side, _ = square or self.square
+        placed = disc if self.keystone is None else self.keystone.to_frame(disc)
+        found: Floats = (placed + 1) * (side / 2) + (x, y)
+        return found
+
+    def disc_of(self, places: NDArray[np.floating], square: Rectangle | None = None) -> Floats:
+        """(..., 2) pixels -> (..., 2) on the disc; square: of one eye's disc."""
+        x, y, side, _ = square or self.square
+        found: Floats = (np.asarray(places, float) - (x, y)) * (2 / side) - 1
+        return found if self.keystone is None else self.keystone.to_disc(found)
 
     def covers_most(self, viewport: Rectangle) -> bool:
         """It holds more than half of the outermost window: it is a main view, not an inset."""
@@ -79,14 +113,20 @@ class Frame:
 
     def _flat(self, eye: int) -> tuple[float, float, float]:
         """Where the program's window lies undistorted, x and y, and how large one of its pixels is there."""
-        x0, y0, side, _ = self.squares[eye]
+        left, bottom, across, high = self.strip(eye) if self.aside else self.squares[eye]
         x, y, width, height = self.outer
-        scale = side / max(width, height)
-        left, bottom = x0 + (side - scale * width) / 2, y0 + (side - scale * height) / 2
+        scale = min(across / width, high / height)
+        left, bottom = left + (across - scale * width) / 2, bottom + (high - scale * height) / 2
         return left - scale * x, bottom - scale * y, scale
 
-
-def _centre_square(part: Rectangle) -> Rectangle:
-    x, y, width, height = part
-    side = min(width, height)
-    return x + (width - side) // 2, y + (height - side) // 2, side, side
+    def strip(self, eye: int = 0) -> Rectangle:
+        """The largest strip of an eye's part beside its disc's square, the left one of two alike."""
+        (left, bottom, width, height), (x, y, side, _) = self.parts[eye], self.squares[eye]
+        right, top = left + width - x - side, bottom + height - y - side
+        strips = [
+            (left, bottom, max(x - left, 0), height),
+            (x + side, bottom, max(right, 0), height),
+            (left, bottom, width, max(y - bottom, 0)),
+            (left, y + side, width, max(top, 0)),
+        ]
+        return max(strips, key=lambda strip: strip[2] * strip[3])

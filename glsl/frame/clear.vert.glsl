@@ -14,5 +14,5 @@ void main() {
     float theta = 6.28318530718 * float((cell % 128 + onward) % 128) / 128.0;
     vec2 away = vec2(cos(theta), sin(theta));
     seen = (domeSeen * vec4(seenAlong(vec3(sin(phi) * away, -cos(phi))), 0.0)).xyw;
-    gl_Position = vec4(lensRadius(phi) * away, domeDepth, 1.0);
+    gl_Position = onSurface(vec4(lensRadius(phi) * away, domeDepth, 1.0));
 }
