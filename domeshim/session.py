@@ -165,6 +165,8 @@ class Session:
 
         bent=False: the window's GL has no fixed function, and its pictures are left as they are.
         """
+        if self.options.enabled and self.options.vsync is not None:
+            window.set_vsync(self.options.vsync)
         if bent:
             self._unmet[window] = program_size
         else:

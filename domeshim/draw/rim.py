@@ -15,6 +15,8 @@ from domeshim.shading.snippets import snippet
 from domeshim.window.frame import Frame
 
 _TRIANGLES, _TRIANGLE_STRIP, _SCISSOR_TEST = 0x0004, 0x0005, 0x0C11
+_BEYOND = 4
+"""So many pixels beyond the disc's square lines and points may reach where they are not blackened."""
 _RING = 2 * (128 + 1)
 """Vertices of each ring that glsl/frame/rim.vert.glsl makes."""
 
@@ -45,8 +47,9 @@ class Rim:
             if len(frame.parts) > 1 or frame.aside:
                 gl.glEnable(_SCISSOR_TEST)
             for square, part in zip(frame.squares, frame.parts, strict=True):
-                gl.glScissor(*(square if frame.aside else part))
                 x, y, side, _ = square
+                around = (x - _BEYOND, y - _BEYOND, side + 2 * _BEYOND, side + 2 * _BEYOND)
+                gl.glScissor(*(around if frame.aside else part))
                 disc = x + side / 2, y + side / 2, radius * side / 2
                 if frame.keystone is None:
                     self._around(frame, disc)

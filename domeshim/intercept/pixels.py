@@ -90,6 +90,8 @@ def clear(dome: Dome, original: Call) -> Call:
         with context.pixels.unscissored():
             original(mask)
             context.canvas.clear(int(mask))
+        if int(mask) & _COLOR_BUFFER_BIT:
+            context.pixels.blacken_sides()
         return None
 
     return call

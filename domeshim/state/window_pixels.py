@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from domeshim.draw.clear import PartClear
+from domeshim.draw.over import way_cleared
 from domeshim.options import Options
 from domeshim.state.monitor_raster import Raster, monitor_raster
 from domeshim.state.perspective import planar
@@ -20,7 +21,7 @@ from domeshim.window.frame import Rectangle
 if TYPE_CHECKING:
     from domeshim.state.context import DomeContext
 
-_SCISSOR_TEST = 0x0C11
+_SCISSOR_TEST, _COLOR_BUFFER_BIT = 0x0C11, 0x4000
 
 
 class WindowPixels:
@@ -111,6 +112,24 @@ class WindowPixels:
             yield
         finally:
             self._context.driver.glEnable(_SCISSOR_TEST)
+
+    def blacken_sides(self) -> None:
+        """Beside the disc, where a HUD is drawn that the audience does not see, nothing else is."""
+        frame, gl = self._context.frame, self._context.driver
+        if not frame.aside:
+            return
+        x, y, side, _ = frame.square
+        width, height = frame.size
+        left, right = (0, 0, x, height), (x + side, 0, width - x - side, height)
+        below, above = (0, 0, width, y), (0, y + side, width, height - y - side)
+        with way_cleared(gl):
+            gl.glEnable(_SCISSOR_TEST)
+            gl.glColorMask(1, 1, 1, 1)
+            gl.glClearColor(0.0, 0.0, 0.0, 1.0)
+            for part in (left, right, below, above):
+                if part[2] > 0 and part[3] > 0:
+                    gl.glScissor(*part)
+                    gl.glClear(_COLOR_BUFFER_BIT)
 
     def clear_part(self, mask: int) -> None:
         """glClear what the scissor leaves of the program's window."""

@@ -130,6 +130,9 @@ class Window(ABC):
     def warp_pointer(self, x: float, y: float) -> None:
         """Put the pointer at (x, y) of the window."""
 
+    def set_vsync(self, on: bool) -> None:  # noqa: B027 - most have nothing to wait for
+        """Show pictures in step with the display, or at once; does nothing where there is no display."""
+
     @abstractmethod
     def close(self) -> None:
         """Destroy the window and its context; safe to call twice."""

@@ -63,7 +63,7 @@ class Frame:
 
     @property
     def squares(self) -> tuple[Rectangle, ...]:
-        """Of each part the square whose sides a disc touches: in its middle, unless the disc lies elsewhere."""
+        """Of each part the square whose sides a disc touches: the centre one, unless it lies elsewhere."""
         return tuple(self._square_in(part) for part in self.parts)
 
     @property
@@ -113,10 +113,10 @@ class Frame:
 
     def _flat(self, eye: int) -> tuple[float, float, float]:
         """Where the program's window lies undistorted, x and y, and how large one of its pixels is there."""
-        left, bottom, across, high = self.strip(eye) if self.aside else self.squares[eye]
+        x0, y0, across, high = self.strip(eye) if self.aside else self.squares[eye]
         x, y, width, height = self.outer
         scale = min(across / width, high / height)
-        left, bottom = left + (across - scale * width) / 2, bottom + (high - scale * height) / 2
+        left, bottom = x0 + (across - scale * width) / 2, y0 + (high - scale * height) / 2
         return left - scale * x, bottom - scale * y, scale
 
     def strip(self, eye: int = 0) -> Rectangle:

@@ -219,6 +219,10 @@ class ScreenWindow(Window):
         glfw.set_input_mode(self.handle, glfw.CURSOR, glfw.CURSOR_NORMAL)
         glfw.set_cursor(self.handle, glfw.create_standard_cursor(_CURSORS[shape]))
 
+    def set_vsync(self, on: bool) -> None:
+        """Show pictures in step with the display, or at once; the window must be current."""
+        glfw.swap_interval(int(on))
+
     def warp_pointer(self, x: float, y: float) -> None:
         """Put the pointer at (x, y) of the window."""
         scale_x, scale_y = self._scale()

@@ -101,12 +101,16 @@ class Beside:
         self.session.options = replace(self.options, **options)
         self.session.window_opened(window, size)
         try:
-            yield lambda: self._dome.frame_ending(window)
+            yield lambda: self._ended(window)
         finally:
             self._dome.recorder.block = None
             self._dome.flush()
             self.session.window_closed(window)
             window.close()
+
+    def _ended(self, window: Any) -> None:
+        self._dome.frame_ending(window)
+        self._dome.showing(window)
 
     def equal(self, scene: Scene, *, name: str = "", wrong: float = 0.002, **options: Any) -> Any:
         """Assert that both pictures of the scene are equal and both answers the same; returns the answer.
