@@ -89,7 +89,7 @@ def test_what_is_accepted(variable, text, field, value):
         ("DOME_METHOD", "cubemap:8", "DOME_METHOD=cubemap:8: not the size of a cube's face; "),
         ("DOME_METHOD", "vertex:8", "DOME_METHOD=vertex:8: vertex takes no numbers; accepted: auto, "),
         ("DOME_METHOD", "fast", "DOME_METHOD=fast: not known; accepted: auto, paper, vertex, tessellate"),
-        ("DOME_HUD", "side", "DOME_HUD=side: not available in this version; accepted: panel, flat, off"),
+        ("DOME_HUD", "beside", "DOME_HUD=beside: not known; accepted: panel, flat, side, off"),
         ("DOME_PANEL", "180", "out of range"),
         ("DOME_FILL", "0", "out of range"),
         ("DOME_FRAME", "1024", "DOME_FRAME=1024: not a size; accepted: WxH in pixels, each 1 to 16384"),
