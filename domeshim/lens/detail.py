@@ -13,10 +13,6 @@ from domeshim.lens.orientation import STRAIGHT, Orientation
 from domeshim.lens.projection import disc_of
 
 _STEP = 1e-3
-CAPS = 8
-"""So many caps around the axis have a bound of their own; glsl/tessellate/detail.glsl has as many."""
-_GRID = 0.01
-"""More than the cosines of two neighbours among the places that are looked at differ by."""
 _CLOSEST = 0.02
 """The least angle from straight behind at which the bend is looked at, radians; it changes little beyond."""
 
@@ -29,20 +25,11 @@ def curvature(lens: Lens, fov: float, orientation: Orientation = STRAIGHT) -> fl
     radians and at most 1: there every lens is singular, and the bend grows like 1 / b^2. 1 for an
     equidistant lens of 180 degrees.
     """
-    return curvatures(lens, fov, orientation)[0]
-
-
-def curvatures(lens: Lens, fov: float, orientation: Orientation = STRAIGHT) -> tuple[float, ...]:
-    """The same for what stays close to the axis, where a lens bends less: CAPS numbers, falling.
-
-    Number i is for arcs whose ends are both at an angle from the axis whose cosine is at least i / CAPS:
-    within 90 degrees an arc goes nowhere farther from the axis than its ends. Number 0 is for all others.
-    """
-    return _curvatures(lens, fov, replace(orientation, tilt=0.0, heading=0.0, roll=0.0))
+    return _curvature(lens, fov, replace(orientation, tilt=0.0, heading=0.0, roll=0.0))
 
 
 @lru_cache(maxsize=16)
-def _curvatures(lens: Lens, fov: float, orientation: Orientation) -> tuple[float, ...]:
+def _curvature(lens: Lens, fov: float, orientation: Orientation) -> float:
     reach = min(np.radians(fov / 2), np.pi - _CLOSEST)
     # Around a lens all ways from the axis are alike; from a seat they are not.
     around = np.linspace(0, 2 * np.pi, 48, endpoint=False) if orientation.off_centre else np.zeros(1)
@@ -64,12 +51,7 @@ def _curvatures(lens: Lens, fov: float, orientation: Orientation) -> tuple[float
     rays = orientation.aimed(here)
     seen = np.arctan2(np.hypot(rays[..., 0], rays[..., 1]), -rays[..., 2]) <= reach + 1e-9
     behind = np.minimum(np.arccos(np.clip(here @ straight_behind(orientation), -1, 1)), 1)
-    bends = (second * behind**2)[seen]
-    if orientation.off_centre:
-        return (float(bends.max()),) * CAPS
-    cosines = -here[..., 2][seen]
-    nearest = [-1.0, *(i / CAPS - _GRID for i in range(1, CAPS))]
-    return tuple(float(bends[cosines >= cosine].max()) for cosine in nearest)
+    return float((second * behind**2)[seen].max())
 
 
 def straight_behind(orientation: Orientation) -> NDArray[np.float64]:
@@ -78,23 +60,14 @@ def straight_behind(orientation: Orientation) -> NDArray[np.float64]:
     return np.asarray(direction / np.linalg.norm(direction))
 
 
-def pieces_within_caps(
-    lens: Lens, fov: float, radius: float, tolerance: float, orientation: Orientation = STRAIGHT
-) -> tuple[float, ...]:
-    """How many straight pieces an arc of one radian needs, by how close it stays to the axis: see curvatures.
-
-    radius of the disc and tolerance in pixels. It is more by 1 / b where the arc comes closer than one
-    radian to straight behind.
-    """
-    found = np.sqrt(radius * np.array(curvatures(lens, fov, orientation)) / (8 * tolerance))
-    return tuple(found.tolist())
-
-
 def pieces_per_radian(
     lens: Lens, fov: float, radius: float, tolerance: float, orientation: Orientation = STRAIGHT
 ) -> float:
-    """How many straight pieces an arc of one radian needs, wherever it is; as pieces_within_caps."""
-    return pieces_within_caps(lens, fov, radius, tolerance, orientation)[0]
+    """How many straight pieces an arc of one radian needs; radius of the disc and tolerance in pixels.
+
+    It is more by 1 / b where the arc comes closer than one radian to straight behind.
+    """
+    return float(np.sqrt(radius * curvature(lens, fov, orientation) / (8 * tolerance)))
 
 
 def least_from_behind(fov: float, detail: float) -> float:

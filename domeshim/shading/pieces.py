@@ -60,7 +60,6 @@ def add_edges(draft: Draft, recipe: Recipe) -> None:
     """What finds the pieces of a patch's edges."""
     draft.need("tessellate/direction")
     draft.need("tessellate/angle")
-    draft.need("tessellate/detail")
     draft.need("tessellate/pieces_behind" if recipe.mapping.near_behind else "tessellate/pieces")
     draft.need(f"tessellate/{shape(recipe)}_edges")
 

@@ -8,7 +8,7 @@ from typing import Literal, NamedTuple
 
 from domeshim.draw.split import Limit
 from domeshim.driver import Driver
-from domeshim.lens.detail import least_from_behind, pieces_within_caps, straight_behind
+from domeshim.lens.detail import least_from_behind, pieces_per_radian, straight_behind
 from domeshim.lens.models import Lens
 from domeshim.lens.orientation import Orientation
 from domeshim.options import Options
@@ -69,10 +69,8 @@ class Tolerance:
         self._method = method
         self._always = options.method in ("tessellate", "geometry")
         radius = frame.square[2] / 2 * (frame.keystone.stretch if frame.keystone else 1.0)
-        self.details = pieces_within_caps(lens, options.fov, radius, options.tolerance, orientation)
-        """How many pieces an arc of one radian needs, by how close it stays to the axis."""
-        self.detail = self.details[0]
-        """How many it needs wherever it is, one radian away from straight behind."""
+        self.detail = pieces_per_radian(lens, options.fov, radius, options.tolerance, orientation)
+        """How many pieces an arc of one radian needs that stays one radian away from straight behind."""
         x, y, z = straight_behind(orientation).tolist()
         self.aft: tuple[float, float, float] = (x, y, z)
         """The direction straight behind, in eye space."""

@@ -108,8 +108,9 @@ class Wardrobe:
             return
         self._sent[outfit.program.name] = (look.placement, look.edges, tolerance)
         if look.patch is not None:
-            outfit.program.set("domeDetails", tolerance.details)
-            outfit.program.set("domeAft", (*tolerance.aft, tolerance.least))
+            outfit.program.set("domeDetail", (tolerance.detail,))
+            if outfit.mapping.near_behind:
+                outfit.program.set("domeAft", (*tolerance.aft, tolerance.least))
         for name, values in self._uniforms(outfit.mapping, look, tolerance):
             outfit.program.set(name, values)
 

@@ -1,4 +1,7 @@
-// How many pieces an edge needs. What the CPU leaves whole shall not come out as two by rounding.
+// How many pieces an edge needs: a chord of angle a is off by at most R k a^2 / 8 pixels.
+// domeDetail = sqrt(R k / (8 tolerance)). What the CPU leaves whole shall not come out as two by rounding.
+uniform float domeDetail;
+
 float piecesOf(vec3 a, vec3 b, float angle) {
-    return clamp(ceil(angle * detailBetween(a, b) - 0.001), 1.0, DOME_MOST_PIECES);
+    return clamp(ceil(angle * domeDetail - 0.001), 1.0, DOME_MOST_PIECES);
 }

@@ -3,16 +3,7 @@
 import numpy as np
 import pytest
 
-from domeshim.lens.detail import (
-    CAPS,
-    cone,
-    curvature,
-    curvatures,
-    least_from_behind,
-    pieces_per_radian,
-    pieces_within_caps,
-    straight_behind,
-)
+from domeshim.lens.detail import cone, curvature, least_from_behind, pieces_per_radian, straight_behind
 from domeshim.lens.models import Equidistant
 from domeshim.lens.orientation import STRAIGHT, Orientation
 from domeshim.lens.projection import disc_of
@@ -67,25 +58,6 @@ def test_they_do_so_from_a_seat(orientation):
 def test_the_pieces_are_not_shorter_than_they_must_be():
     assert curvature(Equidistant(180), 180.0) == pytest.approx(1, abs=0.01)
     assert off_in_pixels(Equidistant(180), STRAIGHT).max() > 0.8 * TOLERANCE
-
-
-@pytest.mark.parametrize("lens", every_lens(), ids=str)
-def test_close_to_the_axis_fewer_pieces_do(lens):
-    details = pieces_within_caps(lens, lens.fov, RADIUS, TOLERANCE)
-    assert list(details) == sorted(details, reverse=True)
-    for cap in range(1, CAPS):
-        ends = arcs(1 / details[cap], 40000)
-        within = (ends[[0, 2], :, 2].max(0) <= -cap / CAPS) & (
-            ends[1, :, 2] < np.cos(np.pi - np.radians(lens.fov / 2))
-        )
-        before, middle, after = disc_of(ends[:, within], lens, STRAIGHT)
-        off = RADIUS * np.linalg.norm(middle - (before + after) / 2, axis=1)
-        assert off.size > 50
-        assert off.max() < TOLERANCE * 1.02
-
-
-def test_close_to_the_axis_an_equidistant_lens_hardly_bends():
-    assert curvatures(Equidistant(180), 180.0)[-1] < 0.3
 
 
 def test_turning_the_dome_changes_nothing():
