@@ -35,6 +35,8 @@ _SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "glPushAttrib": (None, (c_uint,)),
     "glPopAttrib": (None, ()),
     "glDrawArrays": (None, (_ENUM, _INT, _INT)),
+    "glDrawElements": (None, (_ENUM, _INT, _ENUM, _POINTER)),
+    "glInterleavedArrays": (None, (_ENUM, _INT, _POINTER)),
     "glMultiDrawArrays": (None, (_ENUM, POINTER(c_int), POINTER(c_int), _INT)),
     "glBegin": (None, (_ENUM,)),
     "glEnd": (None, ()),

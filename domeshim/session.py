@@ -12,6 +12,7 @@ from domeshim.options import Options
 from domeshim.window.clock import Clock, RealClock
 
 if TYPE_CHECKING:
+    from domeshim.draw.shape import Shape
     from domeshim.GLUT.state import GlutState
     from domeshim.startup import Installation
     from domeshim.state.region import Region
@@ -51,6 +52,9 @@ class Dome(Protocol):
 
     def pass_by(self, on: bool) -> None:
         """Nobody looks at what comes now: leave all draws out, or make them again."""
+
+    def draw_shape(self, shape: Shape) -> bool:
+        """Draw a shape that is in memory; False where it cannot be drawn now."""
 
     def frame_ending(self, window: Window) -> None:
         """The picture is complete: what must still be drawn over it is drawn now."""

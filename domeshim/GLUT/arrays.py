@@ -6,11 +6,14 @@ The GL functions are looked up at each call, so that whoever overlays OpenGL.GL 
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 from OpenGL import GL
 
+from domeshim import session as sessions
+from domeshim.draw.shape import Shape
 from domeshim.GLUT.shapes.mesh import Floats, Indices, Solid, Strips, Wire
 
 _LAYOUTS = {2: "GL_V2F", 6: "GL_N3F_V3F", 8: "GL_T2F_N3F_V3F"}
@@ -19,12 +22,26 @@ _LAYOUTS = {2: "GL_V2F", 6: "GL_N3F_V3F", 8: "GL_T2F_N3F_V3F"}
 
 def draw_solid(solid: Solid) -> None:
     """Draw the triangles, in one call."""
-    draw(solid.vertices.interleaved, [(GL.GL_TRIANGLES, solid.triangles)])
+    if not _on_dome(solid):
+        draw(solid.vertices.interleaved, [(GL.GL_TRIANGLES, solid.triangles)])
 
 
 def draw_wire(wire: Wire) -> None:
     """Draw the lines, in one call; strip by strip where a stipple pattern has to run on from line to line."""
-    draw_lines(wire.vertices.interleaved, wire.lines, wire.strips)
+    if GL.glIsEnabled(GL.GL_LINE_STIPPLE) or not _on_dome(wire):
+        draw_lines(wire.vertices.interleaved, wire.lines, wire.strips)
+
+
+def _on_dome(what: Solid | Wire) -> bool:
+    dome = sessions.current().dome
+    return dome is not None and dome.draw_shape(_shape(what))
+
+
+@lru_cache(maxsize=64)
+def _shape(what: Solid | Wire) -> Shape:
+    if isinstance(what, Solid):
+        return Shape(what.vertices.interleaved, GL.GL_TRIANGLES, what.triangles)
+    return Shape(what.vertices.interleaved, GL.GL_LINES, what.lines)
 
 
 def draw_lines(vertices: Floats, lines: Indices, strips: Iterable[Strips]) -> None:

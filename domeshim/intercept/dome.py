@@ -32,6 +32,7 @@ from domeshim.window.subwindow import SubWindow
 
 if TYPE_CHECKING:
     from domeshim.draw.finish import Finish
+    from domeshim.draw.shape import Shape
     from domeshim.lens.mesh import Floats
     from domeshim.session import Session
     from domeshim.window.contract import Window
@@ -326,6 +327,31 @@ class Dome:
                 return
         subdivision = context.subdividing.subdivision(extent) if extent is not None else None
         current.submitter.draw_as_needed(run, context, subdivision)
+
+    def draw_shape(self, shape: Shape) -> bool:
+        """Draw a shape that is in memory; False between glBegin and glEnd, and where there is no window."""
+        current, building = self._current, self.building
+        if current is None or self.recorder.block is not None:
+            return False
+        if self.recorder.pending()():
+            self.flush()
+        context = current.context
+        draw = partial(shape.draw, self._driver)
+        self._session.drawing()
+        if building is not None:
+            if self._takes_mesh(building, current):
+                self.keep_mesh(shape.run)
+                return True
+            building.used = True
+            if self.listed(draw):
+                return True
+        extent = shape.extent
+        subdivision = context.subdividing.subdivision(extent) if extent is not None else None
+        if subdivision is None:
+            context.draw(draw)
+        else:
+            current.submitter.draw_as_needed(shape.run, context, subdivision)
+        return True
 
     def read_elements(self, count: int, kind: int, indices: object) -> Elements:
         """glDrawElements' indices, wherever they lie."""
