@@ -6,6 +6,7 @@ commands all meet here.
 
 from __future__ import annotations
 
+import sys
 from typing import TYPE_CHECKING, Protocol
 
 from domeshim.options import Options
@@ -18,6 +19,12 @@ if TYPE_CHECKING:
     from domeshim.state.region import Region
     from domeshim.window.contract import Backend, BackendFactory, Window
     from domeshim.window.frame import Rectangle
+
+
+_STRANGER = (
+    "the program's window was opened by another toolkit than GLUT, pygame, glfw or Qt; "
+    "what it draws there is not bent"
+)
 
 
 class Dome(Protocol):
@@ -118,6 +125,7 @@ class Session:
         self._drawn = False
         self._flushed = False
         self._displaying = False
+        self._stranger_told = False
         self._passing = False
         self._cleared = False
         self.looked_back = False
@@ -214,10 +222,18 @@ class Session:
 
     def clearing(self, *, colour: bool) -> None:
         """A buffer is about to be cleared: what was flushed before was a whole picture."""
-        if self._flushed and self._window is not None:
+        if self._window is None:
+            self._tell_of_stranger()
+        elif self._flushed:
             self._end_frame(self._window)
         self._drawn = True
         self._cleared = self._cleared or colour
+
+    def _tell_of_stranger(self) -> None:
+        """Say, once, that the program draws into a window that we have not heard of."""
+        if self.dome is not None and not self._stranger_told:
+            self._stranger_told = True
+            print(f"domeshim: {_STRANGER}", file=sys.stderr)
 
     def reading(self) -> None:
         """The program reads pixels of its picture."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from functools import partial
+from functools import cached_property, partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -230,7 +230,7 @@ class Dome:
         if recorder.block is not None:
             return  # between glBegin and glEnd nothing may come in between
         if current is None:
-            recorder.clear()
+            self._flush_unbent(recorder)
             return
         if recorder.blocks:
             self._session.drawing()
@@ -250,6 +250,19 @@ class Dome:
             draw = partial(current.submitter.submit, recorder, current.context, compiling=True)
             if not recorder.blocks or not self.listed(draw):
                 draw()
+
+    def _flush_unbent(self, recorder: Immediate) -> None:
+        """Draw as on the monitor into a window that we have not heard of, where there is one."""
+        from OpenGL.platform import PLATFORM  # noqa: PLC0415 - not before the program has imported OpenGL
+
+        if self._session.window is None and PLATFORM.GetCurrentContext():
+            self._unbent.replay(recorder)
+        else:
+            recorder.clear()
+
+    @cached_property
+    def _unbent(self) -> Submitter:
+        return Submitter(self._driver)
 
     def _draw_inside_block(self, draw: Callable[[], object]) -> None:
         """Make a draw that is between glBegin and glEnd all the while."""

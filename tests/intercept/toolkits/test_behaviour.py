@@ -175,6 +175,26 @@ def test_pygame_opens_its_window_also_before_pygame_init(tmp_path):
     assert (done.returncode, done.stdout.splitlines()[-1:]) == (0, ["True"]), done.stderr
 
 
+def test_a_window_of_an_unknown_toolkit_is_told_of_once(tmp_path):
+    stranger = """
+from domeshim.window.contract import SurfaceFormat, WindowEvents
+from domeshim.window.offscreen import OffscreenBackend
+window = OffscreenBackend().open_window("stranger", (8, 6), None, SurfaceFormat(), WindowEvents())
+from OpenGL.GL import *
+for picture in range(3):
+    glClear(GL_COLOR_BUFFER_BIT)
+    glRectf(-1, -1, 1, 1)
+print(glReadPixels(0, 0, 1, 1, GL_RGB, GL_UNSIGNED_BYTE))
+"""
+    runs.write(tmp_path, stranger)
+    command = [sys.executable, "-m", "domeshim", "run", "prog.py"]
+    variables = runs.environment(DOME="1", PYOPENGL_PLATFORM="egl")
+    done = subprocess.run(command, cwd=tmp_path, env=variables, capture_output=True, text=True, timeout=60)
+    assert done.stdout == "b'\\xff\\xff\\xff'\n"
+    assert done.stderr.count("another toolkit than GLUT, pygame, glfw or Qt") == 1
+    assert len(done.stderr.splitlines()) == 1
+
+
 @needs_pygame
 def test_pygame_without_gl_is_left_alone(tmp_path):
     runs.write(tmp_path, FLAT_PYGAME)
