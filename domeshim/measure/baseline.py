@@ -10,6 +10,7 @@ import numpy as np
 from domeshim.errors import OptionError
 from domeshim.measure.comparison import Compared
 from domeshim.measure.difference import Difference, difference
+from domeshim.measure.match import Picture
 
 
 @dataclass(frozen=True)
@@ -24,6 +25,16 @@ class Baseline:
         """Where a picture's counterpart lies, or is to be."""
         width, height = result.size
         return self.folder / f"{name}-{result.frame}-{width}x{height}.png"
+
+    @staticmethod
+    def stored(path: Path) -> Picture:
+        """A stored picture.
+
+        Raises OSError, and PIL's UnidentifiedImageError where it is none.
+        """
+        from PIL import Image  # noqa: PLC0415 - only with a baseline
+
+        return np.asarray(Image.open(path).convert("RGB"))
 
     def held(self, name: str, result: Compared) -> Difference | None:
         """The difference of a dome picture from the stored one; None where it was stored just now.
@@ -44,7 +55,7 @@ class Baseline:
                 return Difference(
                     "undecided", f"no stored picture {path}; --update stores it", 0, 0, 0, 0, None
                 )
-            stored = np.asarray(Image.open(path).convert("RGB"))
+            stored = self.stored(path)
         except UnidentifiedImageError:
             raise OptionError(
                 f"--baseline={self.folder}: {path.name} is no picture; --update replaces it"

@@ -102,7 +102,7 @@ class Comparison:
         result = Compared(
             frame,
             self.size,
-            _UNKNOWN,
+            UNKNOWN,
             monitor,
             dome.picture,
             None,
@@ -118,7 +118,7 @@ class Comparison:
         elif dome.seen.shape != monitor.shape[:2]:
             reason = "the program's window has another size on the dome"
         if reason:
-            return replace(result, difference=replace(_UNKNOWN, reason=reason))
+            return replace(result, difference=replace(UNKNOWN, reason=reason))
         assert dome.places is not None
         assert dome.seen is not None
         flat = unwarped(dome.picture, dome.places, dome.seen)
@@ -143,7 +143,7 @@ class Comparison:
         return replace(difference(small, seen_small, whole), finer=True)
 
     def _undecided(self, frame: int, reason: str) -> Compared:
-        return Compared(frame, self.size, replace(_UNKNOWN, reason=reason))
+        return Compared(frame, self.size, replace(UNKNOWN, reason=reason))
 
     @cached_property
     def _first_runs(self) -> tuple[Run, Run, Run]:
@@ -206,7 +206,8 @@ class Comparison:
             return Run({frame: Exposure.load(path) for frame, path in kept.items()}, notes)
 
 
-_UNKNOWN = Difference("undecided", "", 0, 0, 0, 0, None)
+UNKNOWN = Difference("undecided", "", 0, 0, 0, 0, None)
+"""Nothing was compared."""
 
 
 def even_side(exposure: Exposure, largest: int) -> int:

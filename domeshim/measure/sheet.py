@@ -39,11 +39,21 @@ def sheet(result: Compared, title: str) -> Image.Image:
     else:
         assert result.dome is not None
         shown.append(("dome", result.dome))
-    return _laid_out(shown, title, max(12, monitor.shape[0] // 32))
+    return in_a_row(shown, title)
 
 
-def _laid_out(shown: list[tuple[str, Picture]], title: str, letters: int) -> Image.Image:
+def compared_with(stored: Picture, dome: Picture, title: str) -> Image.Image:
+    """A stored picture, one of now, and what differs where they have one size."""
+    shown: list[tuple[str, Picture]] = [("stored", stored), ("now", dome)]
+    if stored.shape == dome.shape:
+        apart = np.abs(stored.astype(int) - dome) * AMPLIFIED
+        shown.append((f"difference x {AMPLIFIED}", np.clip(apart, 0, 255).astype(np.uint8)))
+    return in_a_row(shown, title)
+
+
+def in_a_row(shown: list[tuple[str, Picture]], title: str) -> Image.Image:
     """The pictures in a row, each of the first one's height, its caption below."""
+    letters = max(12, shown[0][1].shape[0] // 32)
     height = shown[0][1].shape[0]
     images = [Image.fromarray(picture) for _, picture in shown]
     images = [image.resize((round(image.width * height / image.height), height)) for image in images]
