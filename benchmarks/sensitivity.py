@@ -64,14 +64,21 @@ class Faulty(Comparison):
 
     fault: Fault = NONE
 
-    def take(self, *, dome: bool, side: int | None = None, frames: tuple[int, ...] | None = None) -> Run:
+    def take(
+        self,
+        *,
+        dome: bool,
+        side: int | None = None,
+        frames: tuple[int, ...] | None = None,
+        plain: bool = True,
+    ) -> Run:
         """Run the program, and with the fault as well where it is for the dome."""
-        sound = super().take(dome=dome, side=side, frames=frames)
+        sound = super().take(dome=dome, side=side, frames=frames, plain=plain)
         if not dome or self.fault is NONE:
             return sound
         args = (self.fault.argument,) if self.fault.argument else self.program.args
         wrong = Comparison(replace(self.program, args=args), self.frames, self.size, self.fault.settings)
-        drawn = wrong.take(dome=True, side=side, frames=frames).exposures
+        drawn = wrong.take(dome=True, side=side, frames=frames, plain=plain).exposures
         return Run({n: replace(at, picture=drawn[n].picture) for n, at in sound.exposures.items()}, ())
 
 

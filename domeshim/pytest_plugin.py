@@ -71,7 +71,7 @@ class DomePictures:
         from domeshim.measure.verdicts import judged  # noqa: PLC0415
 
         run = self._program(program, args)
-        comparison = Comparison(run, _numbers(frames), _pixels(size), _texts(settings) | {"stereo": "off"})
+        comparison = Comparison(run, _numbers(frames), _pixels(size), _texts(settings))
         failed = [
             judged(result, run, None, self.folder).text()
             for result in comparison.results()
@@ -141,7 +141,7 @@ class DomePictures:
 
         comparison = Comparison(self._program(program, args), frames, size, _texts(settings))
         try:
-            run = comparison.take(dome=True)
+            run = comparison.take(dome=True, plain=False)
         except NoExposureError as error:
             pytest.fail(f"{Path(program).name}: {error}", pytrace=False)
         return {frame: exposure.picture for frame, exposure in run.exposures.items()}

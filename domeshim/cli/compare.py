@@ -11,6 +11,7 @@ import click
 from domeshim.cli.settings import (
     AS_TYPED,
     FIELDS_OFF_SCREEN,
+    FINISHES,
     dome_options,
     options_given,
     parse_window_size,
@@ -20,8 +21,7 @@ from domeshim.cli.settings import (
 from domeshim.errors import OptionError
 from domeshim.extras import require
 
-_FIELDS = tuple(field for field in FIELDS_OFF_SCREEN if field not in ("stereo", "eyes"))
-"""Two eyes see two pictures, neither of them the monitor's."""
+_FIELDS = tuple(field for field in FIELDS_OFF_SCREEN if field not in FINISHES)
 
 
 def _frames(_context: click.Context, _parameter: click.Parameter, text: str) -> tuple[int, ...]:
@@ -84,7 +84,7 @@ def compare(
     if update and baseline is None:
         raise OptionError("--update: stores pictures in the folder of --baseline, which is not given")
     options_given(True, given)  # a malformed one is told before anything runs
-    settings = {field: text for field, text in given.items() if text is not None} | {"stereo": "off"}
+    settings = {field: text for field, text in given.items() if text is not None}
     stored = Baseline(baseline, update) if baseline is not None else None
     run = Program(prog, args, module, fps, timeout)
 

@@ -23,6 +23,8 @@ FIELDS = (
 """The fields of Options that domeshim run can be told."""
 FIELDS_OFF_SCREEN = tuple(field for field in FIELDS if field not in ("frame", "display", "vsync"))
 """Those that mean something where no window is shown."""
+FINISHES = ("stereo", "eyes", "surface", "disc", "mirror", "fade", "brightness", "gamma")
+"""Those that make another picture of the dome's: for two eyes, another surface, another projector."""
 AS_TYPED = {"allow_interspersed_args": False}
 """Context settings of a command that runs a program: what follows the program's name is the program's."""
 

@@ -77,9 +77,23 @@ class Compared:
         return self.difference.verdict
 
 
+PLAIN = {
+    "stereo": "off",
+    "surface": "dome",
+    "mirror": "off",
+    "fade": "0",
+    "brightness": "1",
+    "gamma": "1",
+}
+"""Settings that leave the dome's picture as it is drawn: one eye's, and not yet the projector's."""
+
+
 @dataclass(frozen=True)
 class Comparison:
-    """Compares pictures of these numbers, 1 the first, of one window's size; settings as in Wanted."""
+    """Compares pictures of these numbers, 1 the first, of one window's size; settings as in Wanted.
+
+    The dome's picture is judged before it is finished for two eyes, another surface or a projector.
+    """
 
     program: Program
     frames: tuple[int, ...] = (1,)
@@ -173,12 +187,19 @@ class Comparison:
         small = self._first_runs[2].exposures[self.frames[0]]
         return min(self.size) if small.places is None else even_side(small, LARGEST_DOME)
 
-    def take(self, *, dome: bool, side: int | None = None, frames: tuple[int, ...] | None = None) -> Run:
-        """Run the program for its pictures; side: of the dome's frame, pixels.
+    def take(
+        self,
+        *,
+        dome: bool,
+        side: int | None = None,
+        frames: tuple[int, ...] | None = None,
+        plain: bool = True,
+    ) -> Run:
+        """Run the program for its pictures; side: of the dome's frame, pixels; plain: not finished further.
 
         Raises NoExposureError.
         """
-        settings = dict(self.settings) if dome else {}
+        settings = {**self.settings, **(PLAIN if plain else {})} if dome else {}
         if side is not None:
             settings["frame"] = f"{side}x{side}"
         program, frames = self.program, frames or self.frames
