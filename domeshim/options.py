@@ -55,6 +55,8 @@ class Options:
     """Over so many degrees the picture fades to black at the rim."""
     brightness: float = 1.0
     gamma: float = 1.0
+    max_turn: float | None = None
+    """The fastest that the view may turn on the dome, degrees a second; None: as fast as it does."""
     vsync: bool | None = None
     """None: as the program and the driver have it."""
     display: int | None = None
@@ -113,7 +115,9 @@ def _said_in(environ: Mapping[str, str], given: Mapping[str, str]) -> dict[str, 
         for field, variable in VARIABLES.items()
         if environ.get(variable, "").strip()
     }
-    said |= {field: _Said(f"--{field}", text) for field, text in given.items() if text.strip()}
+    said |= {
+        field: _Said(f"--{field.replace('_', '-')}", text) for field, text in given.items() if text.strip()
+    }
     if "config" in said:
         said = _in_file(said["config"]) | said
     if "preset" in said:
@@ -232,6 +236,10 @@ def _fill(text: str) -> float | None:
     return None if text == "off" else _number(lambda degrees: 0 < degrees < 180)(text)
 
 
+def _max_turn(text: str) -> float | None:
+    return None if text == "off" else _number(lambda speed: speed > 0)(text)
+
+
 def _place(text: str) -> Place:
     numbers = [_finite(number) for number in text.split(",")]
     if len(numbers) != 3:
@@ -279,6 +287,7 @@ _SETTINGS = {
     "fade": _Setting("degrees from 0 to 90", _number(lambda degrees: 0 <= degrees <= 90)),
     "brightness": _Setting("over 0 to 10", _number(lambda factor: 0 < factor <= 10)),
     "gamma": _Setting("0.1 to 10", _number(lambda power: 0.1 <= power <= 10)),
+    "max_turn": _Setting("off, or degrees a second, over 0", _max_turn),
     "vsync": _Setting("0 or 1", _flag),
     "frame": _Setting(f"WxH in pixels, each 1 to {LARGEST_SIDE}", parse_size),
     "display": _Setting("a display's number, 0 the first", _display),

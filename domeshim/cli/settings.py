@@ -18,7 +18,7 @@ Command = Callable[..., Job | int | None]
 FIELDS = (
     *("config", "preset", "fov", "tilt", "heading", "roll", "seat", "projector", "radius", "lens"),
     *("method", "tolerance", "hud", "panel", "fill", "stereo", "eyes"),
-    *("surface", "disc", "mirror", "fade", "brightness", "gamma", "frame", "display", "vsync"),
+    *("surface", "disc", "mirror", "fade", "brightness", "gamma", "max_turn", "frame", "display", "vsync"),
 )
 """The fields of Options that domeshim run can be told."""
 FIELDS_OFF_SCREEN = tuple(field for field in FIELDS if field not in ("frame", "display", "vsync"))
@@ -34,7 +34,8 @@ def dome_options(fields: tuple[str, ...]) -> Callable[[Command], Command]:
 
     def add(command: Command) -> Command:
         for field in reversed(fields):
-            command = click.option(f"--{field}", metavar="VALUE", help=f"{ACCEPTED[field]}.")(command)
+            name = f"--{field.replace('_', '-')}"
+            command = click.option(name, field, metavar="VALUE", help=f"{ACCEPTED[field]}.")(command)
         return command
 
     return add

@@ -25,6 +25,7 @@ from domeshim.options import Options
 from domeshim.record.arrays import ArrayReader, Elements
 from domeshim.record.immediate import Immediate, Run
 from domeshim.record.lists import Building, DisplayLists
+from domeshim.state.comfort import looking_at
 from domeshim.state.context import DomeContext
 from domeshim.state.region import Region
 from domeshim.window.frame import Frame, Rectangle
@@ -213,6 +214,15 @@ class Dome:
     def reading(self) -> None:
         """The program reads pixels of its picture."""
         self._session.reading()
+
+    def look(self, places: Floats) -> None:
+        """The program looks on from here; places: (3, 3), gluLookAt's eye, centre and up."""
+        context = self.context
+        steady = context.placer.steady if context is not None else None
+        view = looking_at(*places) if steady is not None else None
+        if context is not None and steady is not None and view is not None:
+            steady.look(view, self._session.clock.now())
+            context.viewport_changed()
 
     def pass_by(self, on: bool) -> None:
         """Nobody looks at what comes now: leave all draws out, or make them again."""
@@ -407,6 +417,11 @@ class Dome:
         if ended.context.passing:
             ended.context.undress()
             return
+        steady = ended.context.placer.steady
+        if steady is not None and steady.blind:
+            ended.context.say_once(
+                "DOME_MAX_TURN: no gluLookAt tells where the program looks; its view turns freely"
+            )
         ended.context.settle()
         ended.rim.draw(ended.context.frame, ended.context.rim)
         ended.card.draw(ended.context.frame)

@@ -7,6 +7,8 @@ from collections.abc import Callable, Mapping
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from domeshim.intercept import gl
 from domeshim.intercept.dome import Dome
 from domeshim.intercept.quadrics.calls import quadric_calls
@@ -41,10 +43,20 @@ def _perspective(dome: Dome, original: Call) -> Call:
     return call
 
 
+def _look_at(dome: Dome, original: Call) -> Call:
+    def call(*args: float) -> Any:
+        if dome.context is not None and len(args) == 9:
+            dome.look(np.reshape(np.array(args, float), (3, 3)))
+        return original(*args)
+
+    return call
+
+
 _DRAWS = re.compile(r"glu(Sphere|Cylinder|Disk|PartialDisk|EndCurve|EndSurface)")
 _UNSEEN = frozenset(("gluErrorString", "gluGetString", "gluNewQuadric", "gluNewTess", "gluNewNurbsRenderer"))
 _CALLS: Mapping[str, Callable[[Dome, Call], Call]] = {
     "gluPerspective": kept_in_lists(_perspective),
+    "gluLookAt": kept_in_lists(_look_at),
     **dict.fromkeys(
         ("gluSphere", "gluCylinder", "gluDisk", "gluPartialDisk", "gluEndCurve", "gluEndSurface"), draw
     ),

@@ -41,7 +41,7 @@ def monitor_raster(context: DomeContext, options: Options) -> Raster | None:
     found = context.canvas.direction(x, y)
     if found is None:
         return None  # out of sight, or not set yet
-    direction, ahead = found
+    direction, ahead = found[0] @ sight.view.turn, found[1]
     x, y = (float(at) for at in sight.seen(direction))
     near, far = context.driver.doubles(_DEPTH_RANGE, 2)
     if placement.place == "panel" or near == far:
@@ -54,7 +54,8 @@ def monitor_raster(context: DomeContext, options: Options) -> Raster | None:
     else:
         point[:3] = sight.points(np.array(share), direction)
     clip = sight.view.camera @ point
-    in_modelview = np.linalg.solve(np.array(placement.view).reshape(4, 4).T, point)
+    shown = np.append(sight.view.turn @ point[:3], point[3])
+    in_modelview = np.linalg.solve(np.array(placement.view).reshape(4, 4).T, shown)
     distance = float(np.linalg.norm(in_modelview[:3] / in_modelview[3]))
     depth = near + (far - near) * float(clip[2] / clip[3] + 1) / 2
     return Raster((x, y, depth, float(clip[3])), distance)

@@ -5,13 +5,14 @@ Matrices are (4, 4) float64, rows by columns.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from domeshim.options import Options
+from domeshim.state.comfort import SteadyView
 from domeshim.state.perspective import (
     Matrix,
     depth_range,
@@ -49,14 +50,16 @@ class View:
     camera: Matrix
     """The main view's perspective, filled."""
     viewport: Rectangle
+    turn: NDArray[np.float64] = field(default_factory=lambda: np.eye(3))
+    """(3, 3): from the program's eye space to the dome's, which follows it more slowly (DOME_MAX_TURN)."""
 
     def moved(self, x: int, y: int) -> View:
         """The same view from a window whose own place is (-x, -y)."""
         left, bottom, width, height = self.viewport
-        return View(self.camera, (left + x, bottom + y, width, height))
+        return View(self.camera, (left + x, bottom + y, width, height), self.turn)
 
     def direction(self, x: float, y: float) -> NDArray[np.float64]:
-        """(3,): where a point of the window is seen, in eye space; its z is -1."""
+        """(3,): where a point of the window is seen, in the program's eye space; its z is -1."""
         vx, vy, w, h = self.viewport
         window = [2 * (x - vx) / w - 1, 2 * (y - vy) / h - 1, 1.0]
         found = np.asarray(np.linalg.solve(self.camera[_CAMERA, :3], window), np.float64)
@@ -88,6 +91,8 @@ class Placer:
         self.main = main or MainView()
         self.fills_dome = False
         """A main view has been drawn in this window."""
+        self.steady = SteadyView(options.max_turn) if options.max_turn is not None else None
+        """What limits how fast the view turns, if anything."""
         self.on_modelview = False
         """A perspective went to the MODELVIEW stack: that matrix must be looked at as well."""
 
@@ -131,14 +136,22 @@ class Placer:
         p = self._perspective_in(whole)
         camera = self._filled(p)
         outer_x, outer_y, _, _ = frame.outer
-        self.main.view = View(camera, viewport).moved(-outer_x, -outer_y)
+        turn = self.steady.turn if self.steady is not None else None
+        self.main.view = View(camera, viewport, *(() if turn is None else (turn,))).moved(-outer_x, -outer_y)
         self.fills_dome = True
         depth = depth_range(p).uniform
-        if whole is projection and camera is p and np.allclose(projection, p, rtol=1e-6, atol=1e-9):
+        if (
+            turn is None
+            and whole is projection
+            and camera is p
+            and np.allclose(projection, p, rtol=1e-6, atol=1e-9)
+        ):
             return Placement("modelview", _IDENTITY, depth)
         view = np.zeros((4, 4))
         view[:3] = np.linalg.solve(camera[_CAMERA, :3], projection[_CAMERA])
         view[3] = [0, 0, 0, 1] if whole is projection else np.linalg.solve(p.T, [0, 0, 0, 1]) @ projection
+        if turn is not None:
+            view[:3] = turn @ view[:3]
         return Placement("view", tuple(view.T.ravel()), depth)
 
     def _perspective_in(self, whole: Matrix) -> Matrix:
@@ -167,7 +180,7 @@ class Placer:
             ]
         )
         view = np.zeros((4, 4))
-        view[:3] = np.linalg.solve(main.camera[_CAMERA, :3], window)
+        view[:3] = main.turn @ np.linalg.solve(main.camera[_CAMERA, :3], window)
         view[3, 3] = 1
         return Placement("panel", tuple(view.T.ravel()), (0.0, 0.0), hud=self.has_perspective)
 

@@ -51,11 +51,11 @@ class Sight:
 
     def to_frame(self, places: Floats) -> Floats:
         """Places of the program's window -> of the frame, also beyond the disc's rim."""
-        disc = disc_of(self.directions(places), self.lens, self.orientation)
+        disc = disc_of(self.directions(places) @ self.view.turn.T, self.lens, self.orientation)
         return self.frame.place_of(disc)
 
     def directions(self, places: Floats) -> Floats:
-        """Places of the program's window -> (..., 3) where they are seen, in eye space."""
+        """Places of the program's window -> (..., 3) where they are seen, in the program's eye space."""
         x, y, w, h = self.view.viewport
         window = (np.asarray(places, float) - (x, y)) * (2 / w, 2 / h) - 1
         clip = np.concatenate([window, np.ones_like(window[..., :1])], -1)
@@ -63,12 +63,13 @@ class Sight:
         return found
 
     def directions_on_dome(self, places: NDArray[np.floating]) -> Floats:
-        """Places of the frame -> (..., 3) what is seen there, unit vectors in eye space."""
+        """Places of the frame -> (..., 3) what is seen there, unit vectors in the program's eye space."""
         disc = self.frame.disc_of(places)
         radius = np.hypot(disc[..., 0], disc[..., 1])
         within = self.rim * (1 - 1e-9)
         disc = disc * (within / np.maximum(radius, within))[..., None]
-        return direction_of(disc, self.lens, self.orientation)
+        seen: Floats = direction_of(disc, self.lens, self.orientation) @ self.view.turn
+        return seen
 
     def within(self, places: NDArray[np.floating]) -> NDArray[np.bool_]:
         """Which places of the frame lie on the dome's picture: (...)."""
@@ -89,7 +90,8 @@ class Sight:
     def points(self, depth: Floats, directions: Floats) -> Floats:
         """(..., 3) in eye space: what lies in unit directions where the dome's depth buffer holds depth."""
         if self.paper:
-            distance = _PAPER_FAR * depth / np.maximum(-self.orientation.aimed(directions)[..., 2], 1e-9)
+            aimed = self.orientation.aimed(directions @ self.view.turn.T)
+            distance = _PAPER_FAR * depth / np.maximum(-aimed[..., 2], 1e-9)
         else:
             a, b = depth_range(self.view.camera).uniform
             distance = b / (2 * np.asarray(depth, float) - 1 - a)

@@ -51,7 +51,7 @@ class WindowPixels:
         direction = main.direction(x, y)
         a, b = planar(placement.depth) if canvas.kind == "face" else placement.depth
         found: list[Point | None] = []
-        for place in canvas.places(direction):
+        for place in canvas.places(main.turn @ direction):
             there = depth
             if place is not None and placement.place != "panel":
                 there = (a + b / (main.distance(depth, direction) * place[2]) + 1) / 2
@@ -87,7 +87,7 @@ class WindowPixels:
         if placer.has_perspective and self._options.flat_hud:
             return Region(frame.flat(part))
         sight = self.sight
-        key = (sight.view.camera.tobytes(), sight.view.viewport, frame, part)
+        key = (sight.view.camera.tobytes(), sight.view.turn.tobytes(), sight.view.viewport, frame, part)
         if self._region is None or self._region[0] != key:
             self._region = key, region_of(sight, part)
         return self._region[1]
@@ -146,7 +146,7 @@ class WindowPixels:
             return
         if placement.place == "panel":
             edges = Edges(in_view(scissor, main.viewport), (0, 1, 2, 3))
-        self._part_clear.clear(mask, context.canvas, main.camera[[0, 1, 3], :3], edges)
+        self._part_clear.clear(mask, context.canvas, main.camera[[0, 1, 3], :3] @ main.turn.T, edges)
         context.canvas.drawn((0.0, 0.0))
 
     @cached_property
