@@ -1,0 +1,80 @@
+"""All that the dome keeps for one window, and how its pictures are finished."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from domeshim.draw.arrays import ArrayDraws
+from domeshim.draw.card import TestCard
+from domeshim.draw.finishing import Finishing, finishes
+from domeshim.draw.rim import Rim
+from domeshim.draw.submit import Submitter
+from domeshim.driver import Driver
+from domeshim.options import Options
+from domeshim.record.arrays import ArrayReader
+from domeshim.record.lists import DisplayLists
+from domeshim.state.context import DomeContext
+from domeshim.window.frame import Frame
+
+if TYPE_CHECKING:
+    from domeshim.draw.finish import Finish
+    from domeshim.lens.mesh import Floats
+
+
+class WindowDome:
+    """All that the dome keeps for one window."""
+
+    def __init__(
+        self, options: Options, driver: Driver, frame: Frame, around: WindowDome | None = None
+    ) -> None:
+        """around: the outermost window's, where this one lies inside another."""
+        main = around.context.placer.main if around else None
+        self.context: DomeContext = DomeContext(options, frame, driver, main)
+        self.lists = DisplayLists(driver, apart=self.context.several)
+        self.submitter = Submitter(driver)
+        self.arrays = ArrayReader(driver)
+        self.array_draws = ArrayDraws(self.context, self.submitter)
+        self.rim = Rim(driver)
+        self.card = TestCard(driver, options)
+        self._options = options
+        self._finish: tuple[Finishing, Finish] | None = None
+
+    def end_frame(self) -> None:
+        """The picture is complete: cut it at the rim. The window must be current."""
+        context = self.context
+        if context.passing:
+            context.undress()
+            return
+        steady = context.placer.steady
+        if steady is not None and steady.blind:
+            context.say_once(
+                "DOME_MAX_TURN: no gluLookAt tells where the program looks; its view turns freely"
+            )
+        context.settle()
+        self.rim.draw(context.frame, context.rim)
+        self.card.draw(context.frame)
+
+    def finish(self) -> None:
+        """Make of the picture in the back buffer what the projector needs; the window must be current."""
+        if self.context.passing or not finishes(self._options):
+            return
+        self.context.undress()
+        wanted = self._finishing
+        if self._finish is None or self._finish[0] is not wanted:
+            from domeshim.draw.finish import Finish  # noqa: PLC0415 - moderngl for those alone who need it
+
+            if self._finish is not None:
+                self._finish[1].close()
+            self._finish = wanted, Finish(self.context.driver, wanted)
+        self._finish[1].draw()
+
+    def before_finish(self, place: Floats) -> Floats:
+        """Where a place (2,) of what is seen was before it was finished."""
+        return self._finishing.before(place) if finishes(self._options) else place
+
+    @property
+    def _finishing(self) -> Finishing:
+        """What the projector wants of this window's pictures."""
+        if self._finish is None or self._finish[0].frame != self.context.frame:
+            return Finishing(self._options, self.context.frame)
+        return self._finish[0]
