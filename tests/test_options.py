@@ -9,7 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from domeshim.errors import OptionError
-from domeshim.options import VARIABLES, Options
+from domeshim.options import Options
+from domeshim.settings import VARIABLES
 
 
 def read(**variables: str) -> Options:

@@ -134,7 +134,7 @@ def test_workers_of_multiprocessing_find_the_programs_functions(folder):
         (["-m", "nosuch"], "cannot run -m nosuch: no such module, or a package without __main__\n"),
         (["-m", "sub.nosuch"], "cannot run -m sub.nosuch: no such module, or a package without __main__\n"),
         (["--fov", "abc", "x.py"], "domeshim: --fov=abc: not a number; accepted: degrees over 0 to 360\n"),
-        (["--hud=side", "x.py"], "--hud=side: not available in this version; accepted: panel, flat, off\n"),
+        (["--hud=beside", "x.py"], "--hud=beside: not known; accepted: panel, flat, side, off\n"),
         ([], "domeshim: Missing argument 'PROG'.\n"),
         (["--hub", "off", "x.py"], "--hub"),
     ],

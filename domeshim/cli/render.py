@@ -18,8 +18,9 @@ from domeshim.cli.settings import (
     positive,
 )
 from domeshim.errors import OptionError
-from domeshim.options import LARGEST_SIDE, settings_in_environment
+from domeshim.options import settings_in_environment
 from domeshim.render.plan import SUFFIXES, Plan, Reel, parse_frames
+from domeshim.settings import LARGEST_SIDE
 
 if TYPE_CHECKING:
     from domeshim.render.film import Films

@@ -8,7 +8,8 @@ from typing import Any
 import click
 
 from domeshim.errors import OptionError
-from domeshim.options import ACCEPTED, LARGEST_SIDE, Options, parse_size
+from domeshim.options import Options
+from domeshim.settings import ACCEPTED, LARGEST_SIDE, parse_size
 
 Job = Callable[[], None]
 """What a command found to be done. Run outside of click, which has its own ideas of how a program may end."""

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 if TYPE_CHECKING:
     from domeshim.lens.keystone import Keystone
-    from domeshim.options import Stereo
+    from domeshim.settings import Stereo
 
 Floats = NDArray[np.float64]
 Rectangle = tuple[int, int, int, int]
