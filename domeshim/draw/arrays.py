@@ -11,7 +11,7 @@ from domeshim.draw.subdivide import subdivide
 if TYPE_CHECKING:
     from domeshim.draw.submit import Submitter
     from domeshim.record.arrays import ArrayDraw
-    from domeshim.record.immediate import Run
+    from domeshim.record.runs import Run
     from domeshim.state.context import DomeContext
 
 _MOST_KEPT = 1024

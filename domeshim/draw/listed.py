@@ -11,8 +11,8 @@ from domeshim.draw.subdivide import Making, filled, manner, stippled, subdivide
 if TYPE_CHECKING:
     from domeshim.draw.extent import Extent
     from domeshim.draw.submit import Submitter
-    from domeshim.record.immediate import Run
     from domeshim.record.lists import DisplayLists
+    from domeshim.record.runs import Run
     from domeshim.state.context import DomeContext
     from domeshim.state.subdivision import Subdivision
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from domeshim.record.attributes import MATERIAL_PARTS
-from domeshim.record.immediate import Run
+from domeshim.record.runs import Run
 from domeshim.shading.recipe import MATERIAL_UNITS, Face
 
 

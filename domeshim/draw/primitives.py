@@ -21,7 +21,7 @@ from domeshim.draw.patches import (
     longest_edges,
     outlines,
 )
-from domeshim.record.immediate import Block, Run, stretches
+from domeshim.record.runs import Block, Run, stretches
 
 _LINE, _POINT, FILL = 0x1B01, 0x1B00, 0x1B02
 _OF_A_PART = 256

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from domeshim.driver import Driver
-from domeshim.record.immediate import Block, Immediate
+from domeshim.record.immediate import Immediate
+from domeshim.record.runs import Block
 
 _Change = tuple[int, Callable[..., None], list[float]]
 """Before which vertex, and what to call with which values."""

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from domeshim.draw.extent import Extent
 from domeshim.draw.primitives import extent_of
 from domeshim.driver import Driver
-from domeshim.record.immediate import Block, Run
+from domeshim.record.runs import Block, Run
 
 _CLIENT_VERTEX_ARRAY_BIT = 0x2
 _ARRAY_BUFFER, _ELEMENT_ARRAY_BUFFER = 0x8892, 0x8893

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from domeshim.record.immediate import Run
+from domeshim.record.runs import Run
 
 _MOST_ROUNDS = 64
 _SHARE = 0.5

@@ -11,7 +11,7 @@ import numpy as np
 from domeshim.draw.patches import LINE_STRIP, Indices
 from domeshim.draw.split import Floats, Limit, edges_of, homogeneous, makes_color
 from domeshim.lens.weights import line_weights
-from domeshim.record.immediate import Block, Run
+from domeshim.record.runs import Block, Run
 
 _MOST_PIECES = 1 << 14
 """Of one line: it may pass straight behind, where no number of even pieces would do."""

@@ -12,7 +12,7 @@ from domeshim.draw.patches import POINTS, TRIANGLES, Edged, Indices
 from domeshim.draw.primitives import FILL, Parts, extent_of, primitives_of, taken
 from domeshim.draw.split import split_wide, triangles_under
 from domeshim.draw.strips import line_strips
-from domeshim.record.immediate import Run
+from domeshim.record.runs import Run
 from domeshim.shading.recipe import Patch
 
 if TYPE_CHECKING:

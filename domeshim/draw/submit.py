@@ -20,7 +20,8 @@ from domeshim.draw.primitives import parts_of
 from domeshim.draw.replay import replay
 from domeshim.draw.subdivide import Making, at_once, subdivide, subdivision_of
 from domeshim.driver import Driver
-from domeshim.record.immediate import Block, Immediate, Run, stretches
+from domeshim.record.immediate import Immediate
+from domeshim.record.runs import Block, Run, stretches
 from domeshim.shading.recipe import MATERIAL_UNITS, PIECE_ATTRIBUTES
 
 if TYPE_CHECKING:

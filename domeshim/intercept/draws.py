@@ -16,8 +16,9 @@ from domeshim.draw.subdivide import at_once
 from domeshim.draw.submit import Submitter
 from domeshim.driver import Driver
 from domeshim.record.arrays import Elements
-from domeshim.record.immediate import Immediate, Run
+from domeshim.record.immediate import Immediate
 from domeshim.record.lists import Building, DisplayLists
+from domeshim.record.runs import Run
 from domeshim.state.context import DomeContext
 
 if TYPE_CHECKING:

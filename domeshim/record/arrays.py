@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from domeshim.driver import Driver
 from domeshim.record.attributes import DEFAULTS
-from domeshim.record.immediate import Block, Run
+from domeshim.record.runs import Block, Run
 
 _TYPES: dict[int, str] = {
     0x1400: "i1",

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from domeshim.draw.split import Limit, split_wide
-from domeshim.record.immediate import Run
+from domeshim.record.runs import Run
 
 WIDEST = 1.0
 

@@ -6,7 +6,7 @@ import pytest
 from domeshim.draw.patches import LINE_LOOP, LINE_STRIP, LINES, QUADS, corners, outlines
 from domeshim.draw.split import Limit
 from domeshim.draw.strips import line_strips
-from domeshim.record.immediate import Run
+from domeshim.record.runs import Run
 
 WIDEST = 0.1
 RNG = np.random.default_rng(4)

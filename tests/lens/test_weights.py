@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from domeshim.draw.split import Limit, split_wide
 from domeshim.lens.weights import line_weights, triangle_weights
-from domeshim.record.immediate import Run
+from domeshim.record.runs import Run
 
 angles = st.floats(1e-6, 3.1)
 distances = st.floats(1e-12, 1e12)

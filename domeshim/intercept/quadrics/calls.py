@@ -17,7 +17,7 @@ from domeshim.draw.primitives import extent_of
 from domeshim.intercept.dome import Dome
 from domeshim.intercept.quadrics import shapes
 from domeshim.intercept.quadrics.shapes import Settings
-from domeshim.record.immediate import Run
+from domeshim.record.runs import Run
 
 Call = Callable[..., Any]
 Shape = Callable[..., Run | None]

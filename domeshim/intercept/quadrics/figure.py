@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from domeshim.record.immediate import Block, Run
+from domeshim.record.runs import Block, Run
 
 Numbers = NDArray[np.float64]
 Function = Callable[[Numbers, Numbers], Numbers]

@@ -22,7 +22,7 @@ from domeshim.intercept.quadrics.figure import (
     Surface,
     run_of,
 )
-from domeshim.record.immediate import Run
+from domeshim.record.runs import Run
 
 POINT, LINE, FILL, SILHOUETTE = 100010, 100011, 100012, 100013
 SMOOTH, FLAT, NONE = 100000, 100001, 100002
