@@ -142,8 +142,11 @@ class Backend(ABC):
     """A way to get windows: on a screen, or off it."""
 
     name: str
-    dome_samples: int
-    """Samples a pixel for a dome picture where the program asks for none."""
+
+    @property
+    @abstractmethod
+    def dome_samples(self) -> int:
+        """Samples a pixel for a dome picture where the program asks for none."""
 
     @abstractmethod
     def open_window(

@@ -7,6 +7,7 @@ import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
+from functools import cached_property
 from typing import Any
 
 import glfw
@@ -25,6 +26,8 @@ _CURSORS = {
     "hresize": glfw.HRESIZE_CURSOR,
     "vresize": glfw.VRESIZE_CURSOR,
 }
+_PROCESSOR = ("llvmpipe", "softpipe", "swrast", "software")
+"""In the names of renderers that draw without a GPU."""
 _ACCUMULATION = (glfw.ACCUM_RED_BITS, glfw.ACCUM_GREEN_BITS, glfw.ACCUM_BLUE_BITS, glfw.ACCUM_ALPHA_BITS)
 
 
@@ -32,7 +35,6 @@ class ScreenBackend(Backend):
     """Opens windows on the display. X11 is tried before Wayland, which can place no window."""
 
     name = "screen"
-    dome_samples = 4
 
     def __init__(self) -> None:
         """Connect to the display.
@@ -52,6 +54,18 @@ class ScreenBackend(Backend):
             f"no display to open a window on ({'; '.join(failures)}): set DISPLAY or WAYLAND_DISPLAY, "
             "or use `domeshim capture` to write pictures without a display"
         )
+
+    @cached_property
+    def dome_samples(self) -> int:
+        """4; none where the processor draws, for there they cost a simple picture ten times its time."""
+        with _complaints():
+            handle = _create("", (1, 1), SurfaceFormat(), True, None, shown=False)
+        if not handle:
+            return 4
+        glfw.make_context_current(handle)
+        renderer = GL.glGetString(GL.GL_RENDERER).decode(errors="replace").lower()
+        glfw.destroy_window(handle)
+        return 0 if any(name in renderer for name in _PROCESSOR) else 4
 
     def open_window(
         self,
