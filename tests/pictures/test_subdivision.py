@@ -231,55 +231,6 @@ def test_a_fourth_coordinate_counts(beside):
     assert cKDTree(curve).query(drawn)[0].max() < 0.1 + 0.75
 
 
-FLOOR = np.array([(-50, -1, -50), (-50, -1, 50), (50, -1, 50), (50, -1, -50)], float)
-LAMP = np.array([-40, 5, -40], float)
-
-
-def lit_floor(gl):
-    """A quad that reaches far behind the viewer, lit at its corners by a lamp above one of them."""
-    perspective(gl)
-    gl.glEnable(gl.GL_LIGHTING)
-    gl.glEnable(gl.GL_LIGHT0)
-    gl.glLightfv(gl.GL_LIGHT0, gl.GL_POSITION, [*LAMP, 1])
-    gl.glMaterialfv(gl.GL_FRONT, gl.GL_AMBIENT, [0, 0, 0, 1])
-    gl.glMaterialfv(gl.GL_FRONT, gl.GL_DIFFUSE, [1, 1, 1, 1])
-
-
-def floor_seen():
-    """(SIZE, SIZE, 2) x and z of the floor in each pixel of a 180 degree dome; nan where there is none."""
-    column, row = np.meshgrid((np.arange(SIZE) + 0.5) / SIZE * 2 - 1, 1 - (np.arange(SIZE) + 0.5) / SIZE * 2)
-    radius = np.hypot(column, row)
-    scale = np.sin(radius * np.pi / 2) / radius
-    x, y, z = column * scale, row * scale, -np.cos(radius * np.pi / 2)
-    with np.errstate(divide="ignore"):
-        place = np.stack([x, z], -1) / -y[..., None]
-    seen = (y < -0.03) & (np.abs(place) < 49).all(-1) & (radius < 0.98)
-    return np.where(seen[..., None], place, np.nan)
-
-
-@pytest.mark.parametrize("shade_model", ["GL_SMOOTH", "GL_FLAT"])
-@pytest.mark.parametrize("way", [immediately, listed])
-@pytest.mark.parametrize("method", ["auto", "geometry"])
-def test_a_lit_floor_is_lit_at_its_own_corners(beside, way, method, shade_model):
-    def scene(gl):
-        lit_floor(gl)
-        gl.glNormal3f(0, 1, 0)
-        gl.glShadeModel(getattr(gl, shade_model))
-        way(gl, gl.GL_QUADS, FLOOR)
-
-    picture = beside.through_dome(scene, (SIZE, SIZE), fov=180.0, method=method).picture[..., 0]
-    to_lamp = LAMP - FLOOR
-    lit = 255 * to_lamp[:, 1] / np.linalg.norm(to_lamp, axis=1)
-    x, z = (floor_seen()[..., axis] / 100 + 0.5 for axis in (0, 1))
-    seen = np.isfinite(x)
-    # Cut from corner 1 to corner 3, as GL cuts quads here; on each side colour is even in x and z.
-    one = lit[0] + (lit[1] - lit[0]) * z + (lit[3] - lit[0]) * x
-    other = lit[2] + (lit[1] - lit[2]) * (1 - x) + (lit[3] - lit[2]) * (1 - z)
-    want = np.where(x + z < 1, one, other) if shade_model == "GL_SMOOTH" else lit[3]
-    assert seen.sum() > 50_000
-    assert np.abs(picture - want)[seen].max() < 2.5
-
-
 @pytest.mark.parametrize("method", ["tessellate", "geometry"])
 def test_however_many_pieces_a_surface_needs_it_is_whole(beside, method):
     """Tens of thousands of vertices come out of one draw."""
