@@ -93,7 +93,7 @@ for switched_on in (GL_LIGHT0, GL_COLOR_MATERIAL, GL_NORMALIZE):
     glEnable(switched_on)
 glFogi(GL_FOG_MODE, GL_LINEAR)
 glFogf(GL_FOG_START, 3)
-glFogf(GL_FOG_END, 25)
+glFogf(GL_FOG_END, 14)
 glFogfv(GL_FOG_COLOR, (0.1, 0.1, 0.2, 1))
 texture()
 glutDisplayFunc(display)

@@ -13,7 +13,10 @@ from domeshim.options import Options
 from domeshim.window.clock import Clock, RealClock
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from domeshim.draw.shape import Shape
+    from domeshim.driver import Driver
     from domeshim.GLUT.state import GlutState
     from domeshim.startup import Installation
     from domeshim.state.region import Region
@@ -110,6 +113,8 @@ class Session:
         self.window_size = window_size
         """The window's size in pixels whatever the program asks for, or None."""
         self.dome: Dome | None = None
+        self.make_driver: Callable[[], Driver] | None = None
+        """What the dome calls GL by, where somebody wants to look on; None: GL itself."""
         self.installation: Installation | None = None
         self.listeners: list[FrameListener] = []
         self.parts: Parts | None = None

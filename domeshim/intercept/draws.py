@@ -53,7 +53,7 @@ class Draws:
 
     def __init__(self, session: Session) -> None:
         self._session = session
-        self._driver = Driver()
+        self._driver = (session.make_driver or Driver)()
         self._current: WindowDome | None = None
         self.recorder = Immediate()
         self.context: DomeContext | None = None

@@ -62,7 +62,13 @@ def photograph(
 
     Raises DomeError where the program ended before.
     """
-    photographer = Photographer(frames, keep, studio.timeout)
+    photograph_by(Photographer(frames, keep, studio.timeout), options, run, studio)
+
+
+def photograph_by(
+    photographer: Photographer, options: Options, run: Callable[[], None], studio: Studio
+) -> NoReturn:
+    """The same by a photographer who wants to do more."""
     session, status = run_off_screen(run, options, studio, photographer.follow)
     if photographer.taken:
         raise SystemExit(0)

@@ -19,7 +19,8 @@ from domeshim.driver import Driver
 from domeshim.lens.models import Lens, lens_of, rim_radius
 from domeshim.lens.orientation import Orientation
 from domeshim.options import Options
-from domeshim.shading.recipe import Patch, Scene
+from domeshim.shading.program import Program
+from domeshim.shading.recipe import Patch, Recipe, Scene
 from domeshim.state.own_programs import OwnPrograms
 from domeshim.state.perspective import Matrix
 from domeshim.state.placement import MainView, Placement, Placer
@@ -85,6 +86,12 @@ class DomeContext:
         self.canvas = canvas_of(driver, options, frame, self.lens, self.orientation, self.rim, self.say_once)
         self._raster_points = RasterPoints(driver, self._worn)
         self._patch: Patch | None = None
+
+    @property
+    def programs(self) -> dict[Recipe, Program]:
+        """The vertex programs made for this context, by what they are for."""
+        stage = self.own.fragments
+        return self._wardrobe.programs | (stage.programs if stage is not None else {})
 
     # What a call changed.
 

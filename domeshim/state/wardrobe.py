@@ -66,6 +66,11 @@ class Wardrobe:
         self._sent: dict[int, tuple[Placement, Edges, Tolerance]] = {}
         """What the uniforms of each program say."""
 
+    @property
+    def programs(self) -> dict[Recipe, Program]:
+        """All that were made, by what they are for."""
+        return self._programs
+
     def outfit(self, look: Look) -> Outfit:
         """What to put on for a draw."""
         placement, edges = look.placement, look.edges

@@ -1,0 +1,49 @@
+"""domeshim explain: what a program's draws need on the dome, and what was left out."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import asdict
+from typing import Any
+
+import click
+
+from domeshim.cli.settings import (
+    AS_TYPED,
+    FIELDS_OFF_SCREEN,
+    dome_options,
+    options_given,
+    positive,
+    program,
+    size,
+)
+
+
+@click.command(context_settings=AS_TYPED)
+@click.option("--frame", type=click.IntRange(min=1), default=1, show_default=True, help="1 is the first.")
+@click.option("--size", default="512", show_default=True, callback=size, help="S or WxH in pixels.")
+@click.option("--json", "as_json", is_flag=True, help="Print JSON instead of text.")
+@click.option("--fps", **positive(60.0))
+@click.option("--timeout", **positive(60.0), help="Give up after so many real seconds without a picture.")
+@dome_options(FIELDS_OFF_SCREEN)
+@program
+def explain(
+    prog: str,
+    args: tuple[str, ...],
+    module: bool,
+    frame: int,
+    size: tuple[int, int],
+    as_json: bool,
+    fps: float,
+    timeout: float,
+    **given: str | None,
+) -> None:
+    """Tell what a program's draws need on the dome: lights, textures, subdivision, and what is left out."""
+    from domeshim.diagnosis.report import explained  # noqa: PLC0415 - numpy and more, for this command alone
+    from domeshim.diagnosis.watching import watched  # noqa: PLC0415
+    from domeshim.measure.comparison import Program  # noqa: PLC0415
+
+    options_given(True, given)  # a malformed one is told before anything runs
+    settings: dict[str, Any] = {field: text for field, text in given.items() if text is not None}
+    seen = watched(Program(prog, args, module, fps, timeout), frame, size, settings)
+    click.echo(json.dumps(asdict(seen), indent=2) if as_json else explained(prog, seen))

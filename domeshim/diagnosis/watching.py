@@ -1,0 +1,67 @@
+"""Has a program looked on in a process of its own, and gives what was seen."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+import tempfile
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from domeshim.measure.comparison import NoExposureError, Program
+from domeshim.measure.exposures import Wanted
+from domeshim.measure.words import last_words
+
+
+@dataclass(frozen=True)
+class Seen:
+    """What a picture of a program took."""
+
+    frame: int
+    size: tuple[int, int]
+    draws: tuple[dict[str, Any], ...]
+    """One for each distinct way to draw, that with the most vertices first: see observe.Observer."""
+    calls: dict[str, Any]
+    """counts by name, and viewports."""
+    perspective: list[list[float]] | None
+    """The main view's matrix; None: the program sets no perspective."""
+    notes: tuple[str, ...]
+    """What domeshim said of what it cannot do exactly."""
+
+
+def watched(program: Program, frame: int, size: tuple[int, int], settings: Mapping[str, str]) -> Seen:
+    """Run the program on the dome until this picture; settings as in exposures.Wanted.
+
+    Raises NoExposureError where it never came.
+    """
+    with tempfile.TemporaryDirectory() as folder:
+        wanted = Wanted(
+            folder, (frame,), size, True, dict(settings), program.module, program.fps, program.timeout
+        )
+        told = Path(folder) / "wanted.json"
+        told.write_text(wanted.to_json())
+        ended = subprocess.run(
+            [sys.executable, "-m", "domeshim.diagnosis.observe", str(told), program.prog, *program.args],
+            cwd=program.folder,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            check=False,
+        )
+        answer = Path(folder) / "seen.json"
+        if not answer.exists():
+            words = last_words(ended.stderr, ended.returncode).removeprefix("domeshim: ")
+            raise NoExposureError(f"no picture on the dome: {words}")
+        seen = json.loads(answer.read_text())
+    lines = ended.stderr.decode(errors="replace").splitlines()
+    notes = tuple(line.removeprefix("domeshim: ") for line in lines if line.startswith("domeshim: "))
+    return Seen(
+        seen["frame"],
+        tuple(seen["size"]),
+        tuple(seen["draws"]),
+        seen["calls"],
+        seen.get("perspective"),
+        notes,
+    )

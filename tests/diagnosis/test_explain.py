@@ -1,0 +1,89 @@
+"""domeshim explain, on a program whose draws are known."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+PROGRAM = """
+from OpenGL.GL import *
+from OpenGL.GLU import *
+from OpenGL.GLUT import *
+def fan(n):
+    glBegin(GL_TRIANGLE_FAN)
+    for i in range(n): glVertex3f(.01 * (i % 7), .01 * (i % 5), 0)
+    glEnd()
+def display():
+    glClear(GL_COLOR_BUFFER_BIT)
+    glMatrixMode(GL_PROJECTION); glLoadIdentity(); gluPerspective(60, 1, .1, 100)
+    glMatrixMode(GL_MODELVIEW); glLoadIdentity(); glTranslatef(0, 0, -5)
+    for _ in range(3): fan(40); glFlush()
+    glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glEnable(GL_FOG)
+    glCallList(made)
+    glDisable(GL_LIGHTING); glDisable(GL_FOG)
+    glScalef(900, 900, 1); fan(4)
+    glVertexPointerf([[0, 0, 0], [.00001, 0, 0], [0, .00001, 0]]); glEnableClientState(GL_VERTEX_ARRAY)
+    glDrawArrays(GL_TRIANGLES, 0, 3)
+    glutSwapBuffers(); glutPostRedisplay()
+glutInit(); glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB); glutCreateWindow("program")
+made = glGenLists(1)
+glNewList(made, GL_COMPILE); fan(30); glEndList()
+glutDisplayFunc(display); glutMainLoop()
+"""
+
+
+@pytest.fixture
+def explain(tmp_path):
+    def explain(*options: str) -> subprocess.CompletedProcess[str]:
+        (tmp_path / "prog.py").write_text(PROGRAM)
+        command = [sys.executable, "-m", "domeshim", "explain", "--size", "128", *options, "prog.py"]
+        environ = {**os.environ, "PYTHONPATH": str(ROOT)}
+        return subprocess.run(command, cwd=tmp_path, env=environ, capture_output=True, text=True, timeout=120)
+
+    return explain
+
+
+def test_each_way_to_draw_with_what_it_needs_and_leaves_out(explain):
+    result = explain("--json", "--frame", "2")
+    assert (result.returncode, result.stderr) == (0, "")
+    seen = json.loads(result.stdout)
+    ways = {("lighting (1 directional)" in way["needs"], "subdivision" in way["left_out"]): way
+            for way in seen["draws"] if way["kind"] == "draw"}  # fmt: skip
+    assert len(ways) == 3
+    plain, lit, long = ways[False, True], ways[True, True], ways[False, False]
+    # Three fans of 40 in this picture, whatever was drawn before, and the program's own array.
+    assert (plain["vertices"], plain["primitives"], plain["generated"]) == (
+        3 * 40 + 3,
+        3 * 38 + 1,
+        3 * 38 + 1,
+    )
+    assert {"lighting", "fog", "textures", "clip planes"} <= set(plain["left_out"])
+    assert (lit["draws"], lit["vertices"], lit["primitives"]) == (1, 30, 28)
+    assert "fog by distance" in lit["needs"]
+    assert not {"lighting", "fog"} & set(lit["left_out"])
+    assert long["generated"] > long["primitives"]
+    assert any(word.startswith("triangles subdivided") for word in long["needs"])
+    assert lit["characters"] > plain["characters"] > 500
+    assert all(way["seconds"] > 0 for way in ways.values())
+
+
+def test_the_text_and_failures(explain, tmp_path):
+    result = explain()
+    assert (result.returncode, result.stderr) == (0, "")
+    assert "needs     on the dome, method vertex" in result.stdout
+    assert "left out  " in result.stdout
+    result = explain("--fov", "x")
+    assert (result.returncode, result.stdout) == (2, "")
+    assert result.stderr.startswith("domeshim: --fov=x: not a number")
+
+
+def test_nothing_of_it_is_there_unless_asked():
+    script = "import sys, domeshim.measure.capture; print([m for m in sys.modules if 'diagnosis' in m])"
+    loaded = subprocess.run([sys.executable, "-c", script], cwd=ROOT, capture_output=True, text=True)
+    assert loaded.stdout == "[]\n"
