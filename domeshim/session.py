@@ -7,6 +7,7 @@ commands all meet here.
 from __future__ import annotations
 
 import sys
+from contextlib import AbstractContextManager
 from typing import TYPE_CHECKING, Protocol
 
 from domeshim.options import Options
@@ -56,6 +57,9 @@ class Dome(Protocol):
 
     def region(self, window: Window, part: Rectangle) -> Region | None:
         """Which pixels of the frame show this part of a window that lies inside another; None: none do."""
+
+    def straight(self, window: Window) -> AbstractContextManager[None]:
+        """Within it, draws into the window are left as on the monitor; it must be current."""
 
     def flush(self) -> None:
         """Let GL see what has been recorded."""

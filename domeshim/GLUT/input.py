@@ -100,6 +100,7 @@ def _press(state: GlutState, window: GlutWindow, key: int, family: str, value: b
 
 def pointer_moved(state: GlutState, window: GlutWindow, x: float, y: float) -> None:
     """Tell of the pointer, in the program's pixels."""
+    window.pixel = math.floor(x), math.floor(y)
     heard = point(state, window, *program_pointer(window, x, y))
     if menu_takes_motion(state, window):
         return

@@ -1,14 +1,16 @@
 """A menu while it is open: where its panes lie, what the mouse does to it, and how it is drawn.
 
-It is drawn into the program's own picture, just before that is shown, so it is seen wherever that is.
+It is drawn over the picture just before that is shown: in the window's real pixels, so that whoever holds the
+mouse can read it on a dome as well.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass
 
+from domeshim import session as sessions
 from domeshim.GLUT import constants as c
 from domeshim.GLUT.dispatch import call, make_current
 from domeshim.GLUT.families import outermost
@@ -36,7 +38,7 @@ _OFF = (
 
 @dataclass
 class Pane:
-    """One menu's rectangle: its top left corner in the window, and the entry under the pointer."""
+    """One menu's rectangle: its top left corner in the real window, and the entry under the pointer."""
 
     menu: Menu
     x: int
@@ -70,7 +72,7 @@ class OpenMenu:
 
     def dragged(self) -> bool:
         """Return whether the pointer has left the place where the menu was opened: a release chooses then."""
-        x, y = self.outer.pointer
+        x, y = self.outer.pixel
         return abs(x - self.opened_at[0]) + abs(y - self.opened_at[1]) > NEAR
 
     def point(self, state: GlutState, x: int, y: int) -> None:
@@ -118,7 +120,7 @@ def menu_takes_button(state: GlutState, window: GlutWindow, button: int, pressed
         _open(state, window, button, state.menus[number])
         return True
     outer = outermost(state, window)
-    choice = menu.choice(*outer.pointer) if outer is menu.outer else None
+    choice = menu.choice(*outer.pixel) if outer is menu.outer else None
     if choice is None:
         if pressed:
             close_open_menu(state)
@@ -135,16 +137,17 @@ def menu_takes_motion(state: GlutState, window: GlutWindow) -> bool:
     menu = state.open_menu
     if menu is None or menu.outer is not window:
         return False
-    menu.point(state, *window.pointer)
+    menu.point(state, *window.pixel)
     return True
 
 
 def _open(state: GlutState, window: GlutWindow, button: int, menu: Menu) -> None:
     outer = outermost(state, window)
-    x, y = outer.pointer
+    x, y = outer.pixel
+    width, height = outer.surface.size
     pane = Pane(menu, x, y)
-    pane.x = max(min(x, outer.size[0] - pane.width), 0)
-    pane.y = max(min(y, outer.size[1] - ROW * len(menu.items)), 0)
+    pane.x = max(min(x, width - pane.width), 0)
+    pane.y = max(min(y, height - ROW * len(menu.items)), 0)
     state.open_menu = OpenMenu(window, outer, button, (x, y), [pane])
     state.menu = menu
     state.open_menu.drawn_again()
@@ -172,7 +175,9 @@ def draw_open_menu(state: GlutState, window: GlutWindow) -> None:
         return
     from OpenGL import GL  # noqa: PLC0415 - its functions as they are overlaid now
 
-    with _flat_drawing(*window.size):
+    dome = sessions.current().dome
+    straight = dome.straight(window.surface) if dome is not None else nullcontext()
+    with straight, _flat_drawing(*window.surface.size):
         for pane in state.open_menu.panes:
             _draw_pane(pane)
     GL.glFlush()

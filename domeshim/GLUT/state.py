@@ -46,6 +46,9 @@ class GlutWindow:
     full_screen: bool = False
     ignore_repeat: bool = False
     pointer: tuple[int, int] = (0, 0)
+    """In the pixels that the program believes in."""
+    pixel: tuple[int, int] = (0, 0)
+    """The same place in the real window; of outermost windows."""
     buttons: set[int] = field(default_factory=set)
     """GLUT's numbers of the mouse buttons held down."""
     keys: dict[int, tuple[str, Any]] = field(default_factory=dict)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -129,6 +131,21 @@ class Dome(Draws):
         self.flush()
         if self.context is not None:
             self.context.pass_by(on)
+
+    @contextmanager
+    def straight(self, window: Window) -> Iterator[None]:
+        """Within it, draws into the window are left as on the monitor; it must be current."""
+        if window not in self._windows:
+            yield
+            return
+        context = self._windows[window].context
+        self.flush()
+        context.bypass("straight", on=True)
+        try:
+            yield
+        finally:
+            self.flush()
+            context.bypass("straight", on=False)
 
     def frame_ending(self, window: Window) -> None:
         """The picture is complete: cut it at the rim."""

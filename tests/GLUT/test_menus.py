@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from domeshim import GLUT
-from domeshim.GLUT.popup import ROW
+from domeshim.GLUT.popup import LETTER, MARGIN, ROW
 from domeshim.GLUT.state import GlutWindow
 from domeshim.session import Session
 from domeshim.window.contract import WindowEvents
+from tests.GLUT.program_runs import run_off_screen
 
 
 def hear(log: list[tuple[Any, ...]]) -> list[tuple[Any, ...]]:
@@ -142,3 +144,54 @@ def test_menus_can_be_changed(window: GlutWindow) -> None:
     assert window.menus == {}
     GLUT.glutSetMenu(inner)
     assert GLUT.glutGetMenu() == inner
+
+
+ON_DOME = """
+from OpenGL.GL import *
+from OpenGL.GLU import *
+from domeshim.GLUT import *
+from domeshim import session
+import numpy as np
+
+def display():
+    glClearColor(0, 0, 0.5, 1)
+    glClear(GL_COLOR_BUFFER_BIT)
+    glLoadIdentity()
+    gluPerspective(40, 1, 0.1, 10)
+    glRectf(-0.1, -0.1, 0.1, 0.1)
+    glutSwapBuffers()
+
+glutInit()
+glutInitWindowSize(300, 300)
+glutCreateWindow("menu")
+glutDisplayFunc(display)
+chosen = []
+glutCreateMenu(chosen.append)
+glutAddMenuEntry("first entry", 1)
+glutAddMenuEntry("second", 2)
+glutAttachMenu(GLUT_RIGHT_BUTTON)
+glutMainLoopEvent()
+surface = session.current().glut.current.surface
+surface.events.pointer_moved(150, 180)
+surface.events.button(1, True, 0)
+surface.events.button(1, False, 0)
+glutMainLoopEvent()
+from domeshim.measure.pixels import read_pixels
+picture = np.frombuffer(read_pixels(300, 300), np.uint8).reshape(300, 300, 3)
+grey = (picture == 191).all(-1)
+rows, columns = np.nonzero(grey)
+surface.events.pointer_moved(160, 180 + 27)
+surface.events.button(0, True, 0)
+surface.events.button(0, False, 0)
+glutMainLoopEvent()
+print([rows.min(), rows.max() + 1, columns.min(), columns.max() + 1, chosen])
+"""
+
+
+def test_on_a_dome_a_menu_is_as_large_as_on_the_monitor_and_hears_the_mouse_where_it_is(
+    tmp_path: Path,
+) -> None:
+    done = run_off_screen(tmp_path, ON_DOME, "enabled=True")
+    assert done.returncode == 0, done.stderr
+    width = (len("first entry") + 2) * LETTER + 2 * MARGIN
+    assert done.stdout.strip() == str([180, 180 + 2 * ROW, 150, 150 + width, [2]])
