@@ -1,0 +1,100 @@
+"""What the bench found, row by row, as JSON and as a table."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import asdict, dataclass, field
+from typing import Any
+
+from domeshim import __version__
+from domeshim.bench.edge_error import EdgeError
+
+
+@dataclass(frozen=True)
+class Cost:
+    """What a picture takes, against the stock monitor's in the same process, in turns: medians."""
+
+    ratio: float
+    """By the clock."""
+    processor_ratio: float
+    """Of the processors' time: what else runs on the machine matters less."""
+    milliseconds: float
+    stock_milliseconds: float
+    rounds: int
+
+
+@dataclass(frozen=True)
+class Row:
+    """One method on one scene at one size."""
+
+    scene: str
+    title: str
+    size: int
+    family: str
+    detail: str
+    cost: Cost
+    edges: EdgeError | None = None
+    colour: float | None = None
+    """Root mean square, of 255."""
+
+
+@dataclass
+class Results:
+    """All of it, and where it was measured."""
+
+    machine: dict[str, str]
+    rows: list[Row] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
+    """What could not be measured, and why."""
+
+    def scenes(self) -> Iterator[tuple[str, int, list[Row]]]:
+        """(title, size, rows) of each scene and size."""
+        keys = dict.fromkeys((row.scene, row.size) for row in self.rows)
+        for scene, size in keys:
+            rows = [row for row in self.rows if (row.scene, row.size) == (scene, size)]
+            yield rows[0].title, size, rows
+
+    def as_json(self) -> dict[str, Any]:
+        """For other programs."""
+        return {
+            "domeshim": __version__,
+            "machine": self.machine,
+            "rows": [_finite(asdict(row)) for row in self.rows],
+            "notes": self.notes,
+        }
+
+    def markdown(self) -> str:
+        """A table for each scene and size."""
+        parts = [" · ".join(self.machine.values())]
+        parts += [f"**{title}**, {size}x{size}\n\n{_table(rows)}" for title, size, rows in self.scenes()]
+        parts += [f"- {note}" for note in self.notes]
+        return "\n\n".join(parts) + "\n"
+
+
+_HEAD = ("method", "time", "processor", "ms", "edges: mean", "largest", "lost", "colour")
+
+
+def _table(rows: Sequence[Row]) -> str:
+    lines = [_HEAD, ("---", *("---:",) * (len(_HEAD) - 1))]
+    for row in rows:
+        edges, cost = row.edges, row.cost
+        off = (
+            ("", "", "")
+            if edges is None
+            else (_figure(edges.mean), _figure(edges.largest), f"{edges.lost:.1%}")
+        )
+        colour = "" if row.colour is None else f"{row.colour:.1f}"
+        times = (f"{cost.ratio:.2f}", f"{cost.processor_ratio:.2f}", f"{cost.milliseconds:.1f}")
+        lines.append((f"{row.family} {row.detail}".strip(), *times, *off, colour))
+    return "\n".join(f"| {' | '.join(line)} |" for line in lines)
+
+
+def _finite(value: Any) -> Any:
+    """The same with None for what is infinite: JSON knows no infinity."""
+    if isinstance(value, dict):
+        return {key: _finite(each) for key, each in value.items()}
+    return None if value == float("inf") else value
+
+
+def _figure(value: float) -> str:
+    return f"{value:.2g}" if value < 10 else f"{value:.0f}"
