@@ -140,10 +140,13 @@ class DomePictures:
         from domeshim.measure.comparison import Comparison, NoExposureError  # noqa: PLC0415 - as above
 
         comparison = Comparison(self._program(program, args), frames, size, _texts(settings))
+        why = ""
         try:
             run = comparison.take(dome=True, plain=False)
         except NoExposureError as error:
-            pytest.fail(f"{Path(program).name}: {error}", pytrace=False)
+            why = f"{Path(program).name}: {error}"
+        if why:
+            pytest.fail(why, pytrace=False)
         return {frame: exposure.picture for frame, exposure in run.exposures.items()}
 
     @staticmethod

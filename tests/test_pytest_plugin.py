@@ -85,6 +85,7 @@ def test_a_picture_is_had_as_an_array_and_failures_are_the_programs(suite, pytes
     )
     result.assert_outcomes(passed=1, failed=1)
     result.stdout.fnmatch_lines(["prog.py: no picture on the dome: ValueError: could not convert string*"])
+    result.stdout.no_fnmatch_line("*During handling*")
 
 
 def test_loading_it_loads_nothing_heavy():

@@ -21,7 +21,7 @@ from PIL import Image
 from domeshim.errors import DomeError
 from domeshim.measure.difference import Difference, Verdict, difference, same_picture, unwarped
 from domeshim.measure.exposures import Exposure, Wanted
-from domeshim.measure.match import Picture
+from domeshim.measure.match import Mask, Picture
 from domeshim.measure.words import last_words
 
 LARGEST_DOME = 4096
@@ -129,14 +129,12 @@ class Comparison:
             reason = "the program shows another picture at each run, on the monitor too"
         elif dome.places is None or dome.seen is None:
             reason = "the program's own GL is not bent onto the dome"
-        elif dome.seen.shape != monitor.shape[:2]:
-            reason = "the program's window has another size on the dome"
+        elif abs(dome.seen.shape[0] / dome.seen.shape[1] - monitor.shape[0] / monitor.shape[1]) > 0.01:
+            reason = "the program's window has another shape on the dome"
         if reason:
             return replace(result, difference=replace(UNKNOWN, reason=reason))
-        assert dome.places is not None
-        assert dome.seen is not None
-        flat = unwarped(dome.picture, dome.places, dome.seen)
-        apart = difference(monitor, flat, dome.seen)
+        flat, seen = _as_on_monitor(dome, monitor.shape[1::-1])
+        apart = difference(monitor, flat, seen)
         if apart.verdict == "different" and (finer := self._apart_in_detail(frame)) is not None:
             apart = finer if finer.verdict != "different" else apart
         return replace(result, seen_as_monitor=flat, difference=apart)
@@ -146,15 +144,14 @@ class Comparison:
 
         Details of a texture that are about a pixel wide break up in either picture, and then no more.
         """
-        if self._finer is None:
+        try:
+            if self._finer is None:
+                return None
+        except NoExposureError:
             return None
         monitor, dome = (run.exposures[frame] for run in self._finer)
-        if dome.places is None or dome.seen is None or dome.seen.shape != monitor.picture.shape[:2]:
-            return None
-        flat = unwarped(dome.picture, dome.places, dome.seen)
-        small, seen_small = (np.asarray(Image.fromarray(each).reduce(2)) for each in (monitor.picture, flat))
-        whole = np.asarray(Image.fromarray(dome.seen.astype(np.uint8) * 255).reduce(2)) == 255
-        return replace(difference(small, seen_small, whole), finer=True)
+        small = np.asarray(Image.fromarray(monitor.picture).reduce(2))
+        return replace(difference(small, *_as_on_monitor(dome, small.shape[1::-1])), finer=True)
 
     def _undecided(self, frame: int, reason: str) -> Compared:
         return Compared(frame, self.size, replace(UNKNOWN, reason=reason))
@@ -173,14 +170,22 @@ class Comparison:
 
     @cached_property
     def _dome(self) -> Run:
-        return self.take(dome=True, side=self._side)
+        return self._of_side(self._side)
+
+    def _of_side(self, side: int) -> Run:
+        """The dome's pictures, of so many pixels: in a larger window where the program's own is the frame."""
+        run = self.take(dome=True, side=side)
+        if all(min(exposure.picture.shape[:2]) == side for exposure in run.exposures.values()):
+            return run
+        width, height = (round(each * side / min(self.size)) for each in self.size)
+        return replace(self, size=(width, height)).take(dome=True)
 
     @cached_property
     def _finer(self) -> tuple[Run, Run] | None:
         """As on the monitor and on the dome, both twice as large."""
         twice = replace(self, size=(2 * self.size[0], 2 * self.size[1]))
         side = 2 * self._side
-        return (twice.take(dome=False), twice.take(dome=True, side=side)) if side <= LARGEST_FINER else None
+        return (twice.take(dome=False), twice._of_side(side)) if side <= LARGEST_FINER else None
 
     @property
     def _side(self) -> int:
@@ -229,6 +234,20 @@ class Comparison:
 
 UNKNOWN = Difference("undecided", "", 0, 0, 0, 0, None)
 """Nothing was compared."""
+
+
+def _as_on_monitor(dome: Exposure, size: tuple[int, ...]) -> tuple[Picture, Mask]:
+    """The dome's picture as a window of this size would show it, and where it can be seen."""
+    assert dome.places is not None
+    assert dome.seen is not None
+    flat, seen = unwarped(dome.picture, dome.places, dome.seen), dome.seen
+    if flat.shape[1::-1] == size:
+        return flat, seen
+    width, height = size
+    whole = Image.fromarray(seen.astype(np.uint8) * 255).resize((width, height), Image.Resampling.BOX)
+    return np.asarray(Image.fromarray(flat).resize((width, height), Image.Resampling.BOX)), np.asarray(
+        whole
+    ) == 255
 
 
 def even_side(exposure: Exposure, largest: int) -> int:

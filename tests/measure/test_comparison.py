@@ -130,6 +130,22 @@ def test_several_frames_of_a_panel(compare):
     assert result.stdout.count("through the panel") == 2
 
 
+def test_a_toolkits_own_window_is_compared_as_finely(compare, tmp_path):
+    pytest.importorskip("pygame")
+    (tmp_path / "game.py").write_text(
+        "import pygame\nfrom OpenGL.GL import *\nfrom OpenGL.GLU import *\n"
+        "pygame.init(); pygame.display.set_mode((300, 200), pygame.OPENGL | pygame.DOUBLEBUF)\n"
+        "while True:\n    glClear(GL_COLOR_BUFFER_BIT)\n"
+        "    glLoadIdentity(); gluPerspective(50, 1, 1, 9)\n"
+        "    glTranslatef(0, 0, -5); glColor3f(1, .5, 0)\n"
+        "    glRectf(-1.5, -1, 1, 1.7)\n    pygame.display.flip()\n"
+    )
+    result = compare(Path("game.py"), "--json")
+    [report] = json.loads(result.stdout)
+    assert (result.returncode, report["verdict"], report["notes"]) == (0, "alike", [])
+    assert min(report["dome"]) > 2 * 160
+
+
 @pytest.mark.parametrize(
     ("options", "line"),
     [
