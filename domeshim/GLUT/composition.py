@@ -68,7 +68,7 @@ class Composition:
             make_current(self._state, former)
 
     def _composed(self, outer: GlutWindow) -> Picture:
-        width, height = outer.surface.size
+        width, height = outer.surface.pixels
         whole = np.zeros((height, width, 3), np.uint8)
         if outer.picture is not None and outer.picture.shape == whole.shape:
             whole[:] = outer.picture
@@ -123,7 +123,7 @@ class Composition:
         np.copyto(whole[rows, columns], picture[rows, columns], where=seen)
 
     def _read(self, window: Window) -> Picture:
-        width, height = window.size
+        width, height = window.pixels
         front = not window.format.double_buffer and self._driver.integer(_DRAW_BUFFER) == _FRONT
         data = read_pixels(width, height, buffer=_FRONT if front else _BACK)
         return np.frombuffer(data, np.uint8).reshape(height, width, 3)

@@ -18,7 +18,7 @@ from domeshim.cli.settings import (
     positive,
 )
 from domeshim.errors import OptionError
-from domeshim.options import settings_in_environment
+from domeshim.options import Options, settings_in_environment
 from domeshim.render.plan import SUFFIXES, Plan, Reel, parse_frames
 from domeshim.settings import LARGEST_SIDE
 
@@ -27,6 +27,11 @@ if TYPE_CHECKING:
     from domeshim.render.manifest import Manifest
     from domeshim.render.show import Crew
 
+LARGEST_WHOLE, TILE = 8192, 4096
+"""A picture of more pixels a side is drawn in tiles of so many."""
+_LARGEST_DRAWN = 32768
+_FIELDS = tuple(field for field in FIELDS_OFF_SCREEN if field != "stereo")
+"""A show's --stereo is one of its own: two rows of pictures."""
 _SIDE = click.IntRange(min=1, max=LARGEST_SIDE)
 
 
@@ -41,6 +46,11 @@ _SIDE = click.IntRange(min=1, max=LARGEST_SIDE)
 @click.option("--fps", **positive(60.0))
 @click.option("--supersample", type=click.IntRange(1, 8), default=1, show_default=True,
               help="Draw so many times as large, and average.")  # fmt: skip
+@click.option(
+    "--tile",
+    type=click.IntRange(min=64, max=LARGEST_SIDE),
+    help=f"Draw each picture in squares of so many pixels; {TILE} if it is over {LARGEST_WHOLE}.",
+)
 @click.option("--stereo", is_flag=True, help="Two eyes, in the folders L and R.")
 @click.option("--video", type=click.Path(path_type=Path, dir_okay=False),
               help="A film of the pictures as well: .mp4, .mov or .webm.")  # fmt: skip
@@ -49,7 +59,7 @@ _SIDE = click.IntRange(min=1, max=LARGEST_SIDE)
 @click.option("--chunk", type=click.IntRange(min=1), default=24, show_default=True,
               help="Pictures that a worker makes at a time.")  # fmt: skip
 @click.option("--timeout", **positive(120.0), help="Give up after so many real seconds without a picture.")
-@dome_options(FIELDS_OFF_SCREEN)
+@dome_options(_FIELDS)
 @click.option("-m", "module", is_flag=True, help="PROG is a module's name, as for python -m.")
 @click.argument("prog", required=False)
 @click.argument("args", nargs=-1, type=click.UNPROCESSED)
@@ -81,13 +91,13 @@ def _plan(prog: str, args: tuple[str, ...], given: dict[str, Any]) -> Plan:
     if not module and not Path(prog).exists():
         raise OptionError(f"cannot render {prog}: no such file")
     side = size * given["supersample"]
-    if side > LARGEST_SIDE:
-        raise OptionError(f"--supersample: {side} pixels would have to be drawn; at most {LARGEST_SIDE}")
-    fields = {field: given[field] for field in FIELDS_OFF_SCREEN if given[field] is not None}
+    if side > _LARGEST_DRAWN:
+        raise OptionError(f"--supersample: {side} pixels would have to be drawn; at most {_LARGEST_DRAWN}")
+    fields = {field: given[field] for field in _FIELDS if given[field] is not None}
     settings = {"hud": "off", "preset": "domemaster", **settings_in_environment(), **fields}
     if "config" in settings:
         settings["config"] = str(Path(settings["config"]).absolute())
-    options_given(True, settings)  # malformed ones are said here, not by a worker
+    options = options_given(True, settings)  # malformed ones are said here, not by a worker
     reel = Reel(
         prog if module else str(Path(prog).absolute()),
         args,
@@ -108,7 +118,31 @@ def _plan(prog: str, args: tuple[str, ...], given: dict[str, Any]) -> Plan:
         given["suffix"],
         0 if start is None else start - first,
         ("left", "right") if given["stereo"] else ("",),
+        _tile(given, side, options),
     )
+
+
+def _tile(given: dict[str, Any], side: int, options: Options) -> int:
+    """How large the tiles are, as they are drawn; 0 for none.
+
+    Raises OptionError for what is made of whole pictures only.
+    """
+    wanted = given["tile"] or (TILE if side > LARGEST_WHOLE else 0)
+    if not 0 < wanted < side:
+        return 0
+    for field, whole in (
+        ("stereo", options.stereo not in ("off", "left", "right")),
+        ("surface", options.surface[0] == "mesh"),
+        ("mirror", options.mirror != "off"),
+        ("hud", options.flat_hud),
+        ("method", options.cubemap and side > LARGEST_WHOLE),
+    ):
+        if whole:
+            raise OptionError(
+                f"--{field} is not to be had in tiles; {side} pixels would be drawn by --tile={wanted}"
+            )
+    times: int = given["supersample"]
+    return max(wanted // times, 1) * times
 
 
 def _crew(given: dict[str, Any]) -> Crew:

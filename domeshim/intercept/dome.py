@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from domeshim.errors import OptionError
+from domeshim.errors import DriverError, OptionError
 from domeshim.intercept.draws import Draws
 from domeshim.intercept.window_dome import WindowDome
 from domeshim.lens.keystone import keystone_of
@@ -19,11 +19,13 @@ from domeshim.window.frame import Frame, Rectangle
 from domeshim.window.subwindow import SubWindow
 
 if TYPE_CHECKING:
+    from domeshim.driver import Driver
     from domeshim.lens.mesh import Floats
     from domeshim.session import Session
     from domeshim.window.contract import Window
 
 
+_MAX_VIEWPORT_DIMS = 0x0D3A
 OLDEST_GL = (3, 0)
 """From here on GLSL has clip distances."""
 
@@ -39,7 +41,7 @@ class Dome(Draws):
         """A window's context was made and is current."""
         self._driver.require(OLDEST_GL)
         around = self._windows.get(window.outermost) if isinstance(window, SubWindow) else None
-        frame = _frame(self._session, window, program_size)
+        frame = _frame(self._session, self._driver, window, program_size)
         if frame.aside and around is None and 0 in frame.strip()[2:]:
             size = "{}x{}".format(*frame.size)
             raise OptionError(f"DOME_HUD=side: {size} has no room beside the disc; set DOME_FRAME=WxH")
@@ -61,7 +63,7 @@ class Dome(Draws):
         context = self._windows[window].context
         self.flush()
         context.undress()
-        context.frame = _frame(self._session, window, program_size)
+        context.frame = _frame(self._session, self._driver, window, program_size)
         context.viewport_changed()
 
     def window_closed(self, window: Window) -> None:
@@ -165,10 +167,15 @@ class Dome(Draws):
         return True
 
 
-def _frame(session: Session, window: Window, program_size: tuple[int, int]) -> Frame:
+def _frame(session: Session, driver: Driver, window: Window, program_size: tuple[int, int]) -> Frame:
+    """A window's frame; of a window without pixels for all of it, the frame of its part.
+
+    Raises DriverError where it is larger than what this GL draws to.
+    """
     inside = window.inside if isinstance(window, SubWindow) else None
     options = session.options
-    return Frame(
+    most = min(driver.integers(_MAX_VIEWPORT_DIMS, 2))
+    frame = Frame(
         window.size,
         program_size,
         inside,
@@ -177,3 +184,8 @@ def _frame(session: Session, window: Window, program_size: tuple[int, int]) -> F
         keystone_of(options),
         aside=options.hud == "side",
     )
+    if window.part is not None:
+        return frame.cut(window.part, most)
+    if frame.square[2] > most:
+        raise DriverError(f"{frame.square[2]} pixels across: this OpenGL draws to {most} at once, at most")
+    return frame

@@ -8,6 +8,7 @@ import threading
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING, NoReturn
 
 from domeshim import startup
@@ -33,6 +34,8 @@ class Studio:
     size: tuple[int, int]
     fps: float = 60.0
     timeout: float = 60.0
+    part: tuple[int, int, int, int] | None = None
+    """Of the window, for which alone there are pixels: x and y from its bottom left, width, height."""
 
 
 class Watch:
@@ -71,7 +74,9 @@ def run_off_screen(
     from domeshim.window.virtual_time import pin_time  # noqa: PLC0415 - only pictures have a time of their own
 
     clock = VirtualClock(studio.fps)
-    session = Session(options, clock=clock, backend=_off_screen, window_size=studio.size)
+    session = Session(
+        options, clock=clock, backend=partial(_off_screen, studio.part), window_size=studio.size
+    )
     session.listeners.append(listener(session))
     startup.run_under(session)
     pin_time(clock)
@@ -90,8 +95,8 @@ def end_at_once(status: int) -> NoReturn:
     os._exit(status)
 
 
-def _off_screen() -> Backend:
+def _off_screen(part: tuple[int, int, int, int] | None) -> Backend:
     # Imported with the first window: until then the program may set PyOpenGL's flags.
     from domeshim.window.offscreen import OffscreenBackend  # noqa: PLC0415
 
-    return OffscreenBackend()
+    return OffscreenBackend(part)

@@ -4,28 +4,36 @@ from __future__ import annotations
 
 import hashlib
 import os
+from collections.abc import Sequence
 from pathlib import Path
 
 from domeshim.render.plan import Plan
 
+Tile = tuple[tuple[int, int], bytes]
+"""Width and height, and so many RGB pixels, a byte each, the top row first."""
 _MARK = "domeshim"
 _DESCRIPTION = 270
 """TIFF's ImageDescription."""
 
 
-def encode(pixels: bytes, side: int, plan: Plan) -> tuple[bytes, str]:
+def encode(tiles: Sequence[Tile], plan: Plan) -> tuple[bytes, str]:
     """A picture file's content, and the SHA-256 of the pixels that it shows.
 
-    pixels: side rows of side RGB pixels, a byte each, the top row first; a larger picture than the plan's is
-    made smaller by averaging.
+    tiles: of all the plan's parts, in their order. What is drawn larger than the plan's picture is made
+    smaller by averaging.
     """
     from io import BytesIO  # noqa: PLC0415 - with Pillow
 
     from PIL import Image, PngImagePlugin  # noqa: PLC0415 - only who makes pictures needs it
 
-    image = Image.frombytes("RGB", (side, side), pixels)
-    if side != plan.size:
-        image = image.resize((plan.size, plan.size), Image.Resampling.BOX)
+    image = Image.new("RGB", (plan.size, plan.size))
+    times = plan.reel.side // plan.size
+    for part, ((width, height), pixels) in zip(plan.parts, tiles, strict=True):
+        tile = Image.frombytes("RGB", (width, height), pixels)
+        if times > 1:
+            tile = tile.resize((width // times, height // times), Image.Resampling.BOX)
+        left, bottom, *_ = part or (0, 0)
+        image.paste(tile, (left // times, plan.size - bottom // times - tile.height))
     content, mark = BytesIO(), f"{_MARK} {plan.fingerprint}"
     if plan.suffix == "png":
         info = PngImagePlugin.PngInfo()

@@ -27,7 +27,9 @@ from domeshim.render.wire import Header, next_order, send
 if TYPE_CHECKING:
     from domeshim.session import Session
     from domeshim.window.contract import Window
+    from domeshim.window.frame import Rectangle
 
+_MARGIN = 8
 _NEWS_EVERY = 100
 """So many pictures are passed by before the owner hears of it."""
 
@@ -36,8 +38,17 @@ class Camera:
     """Hears of each finished picture, delivers the ordered ones and lets the others pass."""
 
     def __init__(
-        self, session: Session, orders: IO[bytes], replies: IO[bytes], watch: Watch, *, draws_all: bool
+        self,
+        session: Session,
+        orders: IO[bytes],
+        replies: IO[bytes],
+        watch: Watch,
+        part: Rectangle,
+        *,
+        draws_all: bool,
     ) -> None:
+        """part: what is delivered of the pixels that there are."""
+        self._part = part
         self._session = session
         self._orders = orders
         self._replies = replies
@@ -48,7 +59,7 @@ class Camera:
         watch.start()
         self._prepare(1)
 
-    def frame_finished(self, window: Window, number: int) -> None:
+    def frame_finished(self, window: Window, number: int) -> None:  # noqa: ARG002 - the contract's own
         """Deliver the picture if it is wanted; wait for the next order once none is.
 
         Raises ProgramFinished when nothing more is wanted. A program that stops exceptions ends there.
@@ -60,7 +71,9 @@ class Camera:
             send(self._replies, Header("looked-back", number))
             end_at_once(0)
         if number == self._wanted[0]:
-            send(self._replies, Header("picture", number, window.size), read_pixels(*window.size))
+            left, bottom, *size = self._part
+            pixels = read_pixels(*size, corner=(left, bottom))
+            send(self._replies, Header("picture", number, (size[0], size[1])), pixels)
             self._wanted.pop(0)
             self._hear()
             if not self._wanted:
@@ -82,6 +95,17 @@ class Camera:
         self._session.passing = number < self._wanted[0] and not self._draws_all
 
 
+def _with_margin(part: Rectangle, side: int) -> tuple[Rectangle, Rectangle]:
+    """What is drawn for a part of a picture, and where the part lies in it.
+
+    Mesa leaves out pixels of wide lines at the border of what it draws to.
+    """
+    x, y, width, height = part
+    left, bottom = max(x - _MARGIN, 0), max(y - _MARGIN, 0)
+    right, top = min(x + width + _MARGIN, side), min(y + height + _MARGIN, side)
+    return (left, bottom, right - left, top - bottom), (x - left, y - bottom, width, height)
+
+
 def main(arguments: Sequence[str]) -> None:
     """Run the program until nothing more is ordered, and end the process."""
     orders, replies = os.fdopen(int(arguments[0]), "rb"), os.fdopen(int(arguments[1]), "wb")
@@ -92,13 +116,15 @@ def main(arguments: Sequence[str]) -> None:
             send(replies, Header("failed", text=text))
         end_at_once(1)
 
+    side = reel.side
+    drawn, delivered = _with_margin(reel.part or (0, 0, side, side), side)
     watch = Watch(reel.timeout, lambda: fail(f"no picture came for {reel.timeout:g} seconds"))
     try:
         session, _ = run_off_screen(
             partial(run_program, reel.program, reel.arguments, module=reel.module),
             Options.from_environment({}, {**reel.settings, "enabled": "1"}),
-            Studio((reel.side, reel.side), reel.fps, reel.timeout),
-            lambda session: Camera(session, orders, replies, watch, draws_all=draws_all),
+            Studio((side, side), reel.fps, reel.timeout, drawn if reel.part else None),
+            lambda session: Camera(session, orders, replies, watch, delivered, draws_all=draws_all),
         )
     except DomeError as error:
         fail(str(error))

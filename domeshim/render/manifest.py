@@ -54,6 +54,7 @@ class Manifest:
             "suffix": plan.suffix,
             "offset": plan.offset,
             "eyes": list(plan.eyes),
+            "tile": plan.tile,
             "pictures": dict(sorted(self.hashes.items())),
             "failed": self.failed,
             "notes": self.notes,
@@ -70,9 +71,8 @@ class Manifest:
         try:
             said: dict[str, Any] = json.loads(path.read_text())
             first, last = said["frames"]
-            program = said["program"]
             plan = Plan(
-                Reel(**program | {"arguments": tuple(program["arguments"])}),
+                Reel.from_json(json.dumps(said["program"])),
                 first,
                 last,
                 said["size"],
@@ -81,6 +81,7 @@ class Manifest:
                 said["suffix"],
                 said["offset"],
                 tuple(said["eyes"]),
+                said["tile"],
             )
             return cls(plan, said["pictures"], said["failed"], said["notes"])
         except FileNotFoundError:

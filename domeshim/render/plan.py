@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 
 from domeshim import __version__
@@ -12,6 +12,8 @@ from domeshim.errors import OptionError
 from domeshim.options import Options
 
 SUFFIXES = ("png", "tif")
+Part = tuple[int, int, int, int] | None
+"""A tile: x and y from the picture's bottom left, width, height; None: all of the picture."""
 
 
 @dataclass(frozen=True)
@@ -29,6 +31,7 @@ class Reel:
     fps: float = 60.0
     timeout: float = 60.0
     """Real seconds that a picture may take."""
+    part: Part = None
 
     def to_json(self) -> str:
         """As from_json reads it, on one line."""
@@ -38,7 +41,8 @@ class Reel:
     def from_json(cls, text: str) -> Reel:
         """As to_json wrote it."""
         read = json.loads(text)
-        return cls(**read | {"arguments": tuple(read["arguments"])})
+        part = tuple(read["part"]) if read["part"] else None
+        return cls(**read | {"arguments": tuple(read["arguments"]), "part": part})
 
 
 @dataclass(frozen=True)
@@ -57,6 +61,8 @@ class Plan:
     """Added to a picture's number for its file's."""
     eyes: tuple[str, ...] = ("",)
     """("",), or ("left", "right")."""
+    tile: int = 0
+    """Pixels a side of the tiles that a picture is drawn in, as they are drawn; 0: it is drawn whole."""
 
     @property
     def frames(self) -> range:
@@ -71,11 +77,21 @@ class Plan:
         """Where an eye's pictures go."""
         return self.output / {"": "", "left": "L", "right": "R"}[eye]
 
-    def reel_of(self, eye: str) -> Reel:
-        """What a process makes for one eye."""
-        if not eye:
-            return self.reel
-        return Reel(**{**asdict(self.reel), "settings": {**self.reel.settings, "stereo": eye}})
+    @property
+    def parts(self) -> tuple[Part, ...]:
+        """The tiles that a picture is drawn in."""
+        if not self.tile:
+            return (None,)
+        side = self.reel.side
+        starts = range(0, side, self.tile)
+        return tuple(
+            (x, y, min(self.tile, side - x), min(self.tile, side - y)) for y in starts for x in starts
+        )
+
+    def reel_of(self, eye: str, part: Part) -> Reel:
+        """What a process makes: one eye's pictures, or a tile of each."""
+        seen = {"stereo": eye} if eye else {}
+        return replace(self.reel, settings={**self.reel.settings, **seen}, part=part)
 
     @property
     def fingerprint(self) -> str:
@@ -83,7 +99,7 @@ class Plan:
         reel = self.reel
         options = repr(Options.from_environment({}, reel.settings))
         said = (reel.program, reel.arguments, reel.module, options, reel.side, reel.fps)
-        digest = hashlib.sha256(json.dumps([__version__, self.size, self.suffix, *said]).encode())
+        digest = hashlib.sha256(json.dumps([__version__, self.size, self.suffix, self.tile, *said]).encode())
         if not reel.module and Path(reel.program).is_file():
             digest.update(Path(reel.program).read_bytes())
         return digest.hexdigest()[:16]

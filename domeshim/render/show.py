@@ -53,7 +53,7 @@ class Alone:
 
     def make(self, plan: Plan, frames: list[int], progress: Progress) -> Iterator[Made]:
         """Make these pictures by rising numbers."""
-        maker = Maker(plan)
+        maker = Maker(plan, lasting=False)
         try:
             yield from maker.make(frames, progress.passing)
         finally:

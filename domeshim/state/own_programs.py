@@ -9,7 +9,7 @@ import numpy as np
 
 from domeshim.driver import Driver
 from domeshim.lens.detail import cone
-from domeshim.lens.keystone import keystone_of
+from domeshim.lens.keystone import Keystone
 from domeshim.lens.models import Lens
 from domeshim.lens.orientation import Orientation
 from domeshim.options import Options
@@ -27,13 +27,21 @@ _CURRENT_PROGRAM = 0x8B8D
 class OwnPrograms:
     """Links, remembers and dresses the program's own GLSL programs."""
 
-    def __init__(self, driver: Driver, options: Options, lens: Lens, orientation: Orientation) -> None:
+    def __init__(
+        self,
+        driver: Driver,
+        options: Options,
+        lens: Lens,
+        orientation: Orientation,
+        keystone: Keystone | None,
+    ) -> None:
+        """keystone: of the frame."""
         self._driver = driver
         self._lens = lens
         self._orientation = orientation.turned_only if options.cubemap else orientation
         self._fov = np.radians(options.fov)
         aim = self._orientation.aim
-        self._keystone = keystone_of(options)
+        self._keystone = keystone
         self._landing = Landing(
             lens.name,
             aim,

@@ -33,7 +33,9 @@ class Subdividing:
     @property
     def minds_edges(self) -> bool:
         """How long the edges of what is drawn now are makes a difference."""
-        return not self._context.compiling and not self._context.bypassed and self.method is not None
+        context = self._context
+        unbent = context.compiling or context.bypassed or context.passing
+        return not unbent and self.method is not None
 
     @property
     def may_subdivide(self) -> bool:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from domeshim.driver import Driver
 from domeshim.lens.detail import cone
-from domeshim.lens.keystone import keystone_of
+from domeshim.lens.keystone import Keystone
 from domeshim.lens.models import Lens
 from domeshim.lens.orientation import Orientation
 from domeshim.options import Options
@@ -55,12 +55,20 @@ class Outfit:
 class Wardrobe:
     """Makes and remembers programs."""
 
-    def __init__(self, driver: Driver, options: Options, lens: Lens, orientation: Orientation) -> None:
+    def __init__(
+        self,
+        driver: Driver,
+        options: Options,
+        lens: Lens,
+        orientation: Orientation,
+        keystone: Keystone | None,
+    ) -> None:
+        """keystone: of the frame."""
         self._driver = driver
         self._options = options
         self._lens = lens
         self._orientation = orientation.turned_only if options.cubemap else orientation
-        self._keystone = keystone_of(options)
+        self._keystone = keystone
         self._programs: dict[Recipe, Program] = {}
         self._outfits: dict[tuple[object, ...], Outfit] = {}
         self._sent: dict[int, tuple[Placement, Edges, Tolerance]] = {}

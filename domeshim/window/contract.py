@@ -75,6 +75,13 @@ class Window(ABC):
 
     format: SurfaceFormat
     events: WindowEvents
+    part: tuple[int, int, int, int] | None = None
+    """All that there are pixels for, if not the whole window: x and y from its bottom left, width, height."""
+
+    @property
+    def pixels(self) -> tuple[int, int]:
+        """Width and height of what there are pixels for."""
+        return self.size if self.part is None else self.part[2:]
 
     @property
     @abstractmethod

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from domeshim.lens.keystone import WHOLE, Keystone
+
 if TYPE_CHECKING:
-    from domeshim.lens.keystone import Keystone
     from domeshim.settings import Stereo
 
 Floats = NDArray[np.float64]
@@ -44,6 +45,27 @@ class Frame:
     """Where the corners of the disc's square go, if not to the square's own."""
     aside: bool = False
     """What is drawn flat lies beside the disc, not over it."""
+
+    def cut(self, part: Rectangle, viewport: int) -> Frame:
+        """The frame of a part of this one, in which all stands where it stands here.
+
+        viewport: the most pixels a side that GL draws to at once. The disc's square may be larger: then only
+        what of it is around the part is drawn to, and the keystone takes the square beyond that.
+        """
+        left, bottom, side, _ = self.square
+        x, y, width, height = part
+        drawn = min(side, viewport)
+        right, up = (
+            min(max(middle - drawn // 2, 0), side - drawn)
+            for middle in (x - left + width // 2, y - bottom + height // 2)
+        )
+        keystone = self.keystone
+        if drawn < side:
+            corners = np.reshape(keystone.corners if keystone else WHOLE, (4, 2))
+            keystone = Keystone(tuple(((corners * side - (right, up)) / drawn).ravel().tolist()))
+        radius = drawn / 2
+        disc = left + right + radius - x, height - (bottom + up + radius - y), radius
+        return replace(self, size=(width, height), disc=disc, keystone=keystone)
 
     @property
     def outer(self) -> Rectangle:

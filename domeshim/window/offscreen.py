@@ -24,8 +24,10 @@ class OffscreenBackend(Backend):
     name = "offscreen"
     dome_samples = 4
 
-    def __init__(self) -> None:
+    def __init__(self, part: tuple[int, int, int, int] | None = None) -> None:
         """Connect to the first EGL platform that offers a desktop GL.
+
+        part: of each window, for which alone there shall be pixels (see Window).
 
         Raises ScreenError naming every attempt where none does.
         """
@@ -35,6 +37,7 @@ class OffscreenBackend(Backend):
                 f"{type(PLATFORM).__name__}: set PYOPENGL_PLATFORM=egl before OpenGL is imported"
             )
         self._display = _connect()
+        self._part = part
         self._windows: list[OffscreenWindow] = []
 
     def open_window(
@@ -53,7 +56,7 @@ class OffscreenBackend(Backend):
         Raises ScreenError where the driver has no such configuration or refuses the context.
         """
         shared = share.context if isinstance(share, OffscreenWindow) else EGL.EGL_NO_CONTEXT
-        window = OffscreenWindow(self._display, size, surface, events, shared)
+        window = OffscreenWindow(self._display, size, surface, events, shared, self._part)
         window.move(*(position or (0, 0)))
         self._windows.append(window)
         window.make_current()
@@ -89,8 +92,10 @@ class OffscreenWindow(Window):
         surface: SurfaceFormat,
         events: WindowEvents,
         shared: Any,
+        part: tuple[int, int, int, int] | None = None,
     ) -> None:
         self.events = events
+        self.part = part
         self._display = display
         self._size = size
         self._position = (0, 0)
@@ -99,7 +104,7 @@ class OffscreenWindow(Window):
         self.context: Any = EGL.eglCreateContext(display, self._config, shared, None)
         if not self.context:
             raise ScreenError(f"EGL refused an OpenGL compatibility context ({_error()}); {_ADVICE}")
-        self._surface = self._buffer(size)
+        self._surface = self._buffer(self.pixels)
 
     @property
     def size(self) -> tuple[int, int]:
@@ -125,8 +130,8 @@ class OffscreenWindow(Window):
         if (width, height) == self._size:
             return
         current = self._is_current()
-        old, self._surface = self._surface, self._buffer((width, height))
         self._size = (width, height)
+        old, self._surface = self._surface, self._buffer(self.pixels)
         if current:
             self.make_current()
         EGL.eglDestroySurface(self._display, old)

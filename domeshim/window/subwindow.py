@@ -26,6 +26,7 @@ class SubWindow(Window):
     ) -> None:
         """surface: the hidden window, which nothing else uses; asked: what the program wants of it."""
         self.surface = surface
+        self.part = surface.part
         self.outermost = outermost
         self.format = replace(surface.format, double_buffer=asked.double_buffer)
         self.events = events

@@ -75,3 +75,36 @@ def after():
 """
 )
 """The first time that it comes to its fifth picture it kills whoever started it."""
+PAINTS = """
+def before():
+    clear()
+    glPushMatrix(); glLoadIdentity()
+    glLineWidth(5); glPointSize(9)
+    glBegin(GL_LINES)
+    for a in range(-20, 21, 5):
+        glColor3f(1, a / 40 + 0.5, 0); glVertex3f(a, -20, -5); glVertex3f(-a, 20, -3)
+    glEnd()
+    glBegin(GL_POINTS)
+    for a in range(-4, 5):
+        glColor3f(0, 1, a / 8 + 0.5); glVertex3f(a, a / 2, -3)
+    glEnd()
+    glColor3f(0.3, 0.5, 1)
+    glRasterPos3f(-2, 0.3, -3)
+    for letter in b"over tiles' borders":
+        glutBitmapCharacter(GLUT_BITMAP_HELVETICA_18, letter)
+    glPopMatrix()
+"""
+"""Wide lines, large points and text."""
+LISTS = """
+def before():
+    clear()
+    if n == 1:
+        glNewList(2, GL_COMPILE)
+        glBegin(GL_TRIANGLES)
+        for x, y in ((-30, 0), (30, 0), (0, 30)):
+            glColor3f(x / 60 + 0.5, y / 30, 1); glVertex3f(x, y, -6)
+        glEnd()
+        glEndList()
+    glCallList(2)
+"""
+"""A triangle that is subdivided lies in a display list."""

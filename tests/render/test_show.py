@@ -11,10 +11,12 @@ from PIL import Image
 from domeshim.render.manifest import Manifest
 from domeshim.render.show import Alone, render
 from tests.render.conftest import contents
-from tests.render.programs import BUILDS, CLEARS, CRASHES, ENDS, READS
+from tests.render.programs import BUILDS, CLEARS, CRASHES, ENDS, LISTS, READS
 
 
-@pytest.mark.parametrize("does", [CLEARS, BUILDS, READS], ids=["clears", "builds", "reads"])
+@pytest.mark.parametrize(
+    "does", [CLEARS, BUILDS, READS, LISTS], ids=["clears", "builds", "reads", "lists of large triangles"]
+)
 def test_pictures_after_others_are_what_they_are_in_the_whole_show(make_plan, progress, does):
     whole, part = make_plan(1, 6, "whole", does), make_plan(5, 6, "part", does)
     render(whole, Alone(), progress)
