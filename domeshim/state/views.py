@@ -6,7 +6,7 @@ each of its draws is made once for every view.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from domeshim.driver import Driver
 from domeshim.shading.program import Uniforms
@@ -16,8 +16,7 @@ _SCISSOR_TEST, _SCISSOR_BOX, _DRAW_FRAMEBUFFER = 0x0C11, 0x0C10, 0x8CA9
 _DRAW_BUFFER = 0x0C01
 
 
-@dataclass(frozen=True)
-class View:
+class View(NamedTuple):
     """A rectangle of a framebuffer, and where the viewer looks or stands who sees the scene in it."""
 
     viewport: Rectangle
@@ -29,8 +28,7 @@ class View:
     """Which of the window's colour buffers it is in; None: the program's own choice."""
 
 
-@dataclass(frozen=True)
-class Dressing:
+class Dressing(NamedTuple):
     """All that is on while the dome draws, and off again before the program could notice."""
 
     program: int

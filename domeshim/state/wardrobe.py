@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from domeshim.driver import Driver
 from domeshim.lens.detail import cone
@@ -29,8 +30,7 @@ _MOST = 1000
 """So many outfits are remembered."""
 
 
-@dataclass(frozen=True)
-class Look:
+class Look(NamedTuple):
     """All that decides which program draws, and its uniforms."""
 
     placement: Placement
