@@ -166,8 +166,10 @@ def _land(landing: Landing, *, cut: bool, planes: Planes) -> str:
     lines += ["    place = domeBeside(place);"] if landing.beside else []
     lines += aimed
     lines.append("    gl_Position = domeBent(place);")
-    if cut and not landing.face:
-        lines.append(f"    gl_ClipDistance[{RIM_DISTANCE}] = domeInFront(place);")
+    if cut:
+        # A face has no rim. But Mesa's llvmpipe cuts by all distances that are written where none is enabled.
+        rim = "1.0" if landing.face else "domeInFront(place)"
+        lines.append(f"    gl_ClipDistance[{RIM_DISTANCE}] = {rim};")
     lines.append("}")
     if landing.keystone:
         lines.append("if (domeMode > 0.5) gl_Position = domeOnSurface(gl_Position);")

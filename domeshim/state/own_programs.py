@@ -153,7 +153,7 @@ class OwnPrograms:
         if not own.cut:
             return ()
         inner = (0, 1, 2, 3) if panel else edges.inner
-        wanted = (*(() if panel or face else (RIM_DISTANCE,)), *(EDGE_DISTANCES[i] for i in inner))
+        wanted = (*(() if panel else (RIM_DISTANCE,)), *(EDGE_DISTANCES[i] for i in inner))
         return tuple(GL_CLIP_PLANE0 + i for i in wanted if i not in planes)
 
     def _from_clip(self, placement: Placement, projection: Matrix) -> tuple[float, ...]:

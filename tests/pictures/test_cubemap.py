@@ -3,12 +3,14 @@
 import subprocess
 import sys
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import pytest
 from scipy import ndimage
 
 from tests.pictures.beside import SIZE, checks, looking, sphere
+from tests.pictures.own_glsl import COLOUR, COLOURED, both
 
 CUBE = {"method": "cubemap"}
 
@@ -149,6 +151,33 @@ def test_the_whole_sphere_is_shown(beside):
     middles = np.arange(SIZE) + 0.5 - SIZE / 2
     disc = np.hypot(*np.meshgrid(middles, middles)) < SIZE / 2 - 1
     assert (picture[disc] == (0, 255, 0)).all()
+
+
+def test_the_programs_own_glsl_reaches_beyond_the_monitors_window(beside):
+    """A floor as wide as the dome by the program's own shaders: no face cuts it at the monitor's edges."""
+
+    def floor(gl, *, own):
+        gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT)
+        gl.glMatrixMode(gl.GL_PROJECTION)
+        gl.glLoadIdentity()
+        gl.gluPerspective(60, 1, 0.1, 100)
+        if own:
+            gl.glUseProgram(both(gl, COLOURED, COLOUR))
+        gl.glMatrixMode(gl.GL_MODELVIEW)
+        gl.glLoadIdentity()
+        gl.glRotatef(90, 1, 0, 0)
+        gl.glColor3f(1, 0, 0)
+        gl.glBegin(gl.GL_QUADS)
+        for x, y in ((-50, -50), (50, -50), (50, 50), (-50, 50)):
+            gl.glVertex3f(x, y, 1)
+        gl.glEnd()
+        gl.glUseProgram(0)
+
+    plain, own = (
+        beside.through_dome(partial(floor, own=o), fov=180.0, **CUBE).picture for o in (False, True)
+    )
+    assert (plain == (255, 0, 0)).all(-1).mean() > 0.3
+    assert (plain == own).all()
 
 
 def test_a_draw_leaves_behind_what_one_draw_leaves(beside):
