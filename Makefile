@@ -7,7 +7,7 @@ DEMO := demos/teapots.py
 PICTURES := pictures
 DEBIAN := libegl1 libgl1-mesa-dri libglx-mesa0 libglu1-mesa libglut3.12 xvfb xauth xdotool
 
-.PHONY: demo test check-style corpus sensitivity gallery bench-immediate endurance debian clean
+.PHONY: demo test check-style docs corpus sensitivity gallery figures bench-immediate endurance debian clean
 
 demo: $(VENV)/installed
 	@if [ -n "$$DISPLAY$$WAYLAND_DISPLAY" ]; then \
@@ -20,12 +20,16 @@ demo: $(VENV)/installed
 		done; done; \
 	fi
 
-test: $(VENV)/developed debian check-style
+test: $(VENV)/developed debian check-style docs
 	$(BIN)/python -m pytest
 
 check-style: $(VENV)/developed
 	$(BIN)/ruff check .
 	$(BIN)/mypy
+
+# The documentation as a site, in site/; a broken link or anchor fails.
+docs: $(VENV)/developed
+	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict --quiet
 
 # Every program of PyOpenGL-Demo beside stock PyOpenGL: docs/corpus.md, in some ten minutes.
 corpus: $(VENV)/developed debian
@@ -34,6 +38,10 @@ corpus: $(VENV)/developed debian
 # The demos' pictures, on the monitor and on the dome: docs/gallery, in a few minutes.
 gallery: $(VENV)/developed
 	$(BIN)/python benchmarks/gallery.py
+
+# The curves and pictures in docs/mathematics.md and docs/methods.md.
+figures: $(VENV)/developed
+	$(BIN)/python benchmarks/figures.py
 
 # What the dome costs each way to draw, dome over monitor: a line for each, in a minute or two.
 bench-immediate: $(VENV)/developed debian
@@ -77,5 +85,5 @@ debian:
 	fi
 
 clean:
-	rm -rf $(VENV) $(PICTURES) build dist .mypy_cache .pytest_cache .ruff_cache .hypothesis
+	rm -rf $(VENV) $(PICTURES) build dist site .mypy_cache .pytest_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
