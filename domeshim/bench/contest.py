@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from domeshim.bench.artist import Artist, draw_edge, look
 from domeshim.bench.colour_error import colour_rms, true_picture
-from domeshim.bench.edge_error import EdgeError, summary, telling
+from domeshim.bench.edge_error import FINE, EdgeError, summary, telling
 from domeshim.bench.methods import Method
 from domeshim.bench.results import Cost, Row
 from domeshim.bench.scenes import Scene
@@ -20,8 +20,6 @@ from domeshim.bench.stage import Player, Seconds, Stage
 from domeshim.lens.models import lens_of
 from domeshim.options import Options
 
-_FINE = 2048
-"""Edges are judged in pictures at least so large, drawn no finer than in the size that is measured."""
 _WARM = 2
 """Pictures that build shaders, and do not count."""
 _PATIENCE = 1.0
@@ -81,7 +79,7 @@ class Contest:
 
     def _edge_error(self, scene: Scene, size: int, method: Method) -> EdgeError:
         lens = lens_of(*self.options.lens, self.options.fov)
-        scale = max(2, _FINE // size)
+        scale = max(2, FINE // size)
         with closing(Stage(scale * size)) as stage:
             player = stage.dome(method.options(self.options, scale))
             look(player.gl, 1.0)

@@ -18,6 +18,8 @@ from domeshim.lens.projection import disc_of
 
 INNER = 0.99
 """The share of the disc's radius that is looked at."""
+FINE = 2048
+"""Edges are judged in pictures at least so large, drawn no finer than in the size that is measured."""
 _LOST = 2.0
 """Pixels: where no ink is nearer, the edge is lost."""
 _STEP = 4.0

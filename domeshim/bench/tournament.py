@@ -6,9 +6,11 @@ import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
+from itertools import chain
 
 from tqdm import tqdm
 
+from domeshim.bench import vtk_peer
 from domeshim.bench.contest import Contest
 from domeshim.bench.machine import machine
 from domeshim.bench.methods import Method, asked, tolerances_of, usual
@@ -28,6 +30,8 @@ class Wish:
     tolerances: str = "0.1,0.5,2,8"
     rounds: int = 15
     edges: int = 24
+    peers: bool = True
+    """Measure others' ways as well, where they are installed, unless methods are asked for by name."""
 
     def by(self, size: int) -> list[Method]:
         """The methods at a size. Raises OptionError."""
@@ -40,11 +44,35 @@ def tournament(scenes: Sequence[Scene], wish: Wish) -> Results:
     contest = Contest(wish.options, wish.rounds, wish.edges)
     steps = [(scene, size, wish.by(size)) for size in wish.sizes for scene in scenes]
     results = Results(machine())
+    peers = wish.peers and not wish.methods and _comparable(wish.options, results)
     every = 0.1 if sys.stderr.isatty() else 10.0
-    total = sum(len(methods) for *_, methods in steps)
+    total = sum(len(methods) + (len(_faces(size)) if peers else 0) for _, size, methods in steps)
     with tqdm(total=total, unit="row", desc="bench", mininterval=every) as bar:
+        heard = partial(bar.set_postfix_str, refresh=False)
         for scene, size, methods in steps:
-            for row in contest.rows(scene, size, methods, partial(bar.set_postfix_str, refresh=False)):
+            found = contest.rows(scene, size, methods, heard)
+            if peers:
+                heard(f"{scene.name} {size}: VTK")
+                found = chain(found, vtk_peer.rows(scene, size, _faces(size), wish.rounds, wish.edges))
+            for row in found:
                 results.rows.append(row)
                 bar.update()
     return results
+
+
+def _faces(size: int) -> tuple[int, ...]:
+    """Of a peer's cube."""
+    return size // 2, size, 2 * size
+
+
+def _comparable(options: Options, results: Results) -> bool:
+    """VTK is there and can draw the same dome; else a note says why not."""
+    if not vtk_peer.installed():
+        results.notes.append("VTK's panoramic pass was not measured: pip install vtk")
+        return False
+    if options.fov != 180 or options.lens[0] != "equidistant":
+        results.notes.append(
+            "VTK's panoramic pass was not measured: it knows the equidistant lens of 180 degrees"
+        )
+        return False
+    return True

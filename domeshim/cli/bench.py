@@ -54,6 +54,7 @@ def _sizes(_context: click.Context, _parameter: click.Parameter, text: str) -> t
     type=click.Path(path_type=Path, file_okay=False),
     help="A folder for bench.md, bench.json and the plot, bench.png.",
 )
+@click.option("--peers/--no-peers", default=True, help="VTK's panoramic pass as well, if vtk is installed.")
 @click.option("--json", "as_json", is_flag=True, help="Print JSON instead of tables.")
 @click.option("--quick", is_flag=True, help="512 pixels, 5 rounds, 8 edges.")
 @dome_options(_FIELDS)
@@ -65,6 +66,7 @@ def bench(
     rounds: int,
     edges: int,
     output: Path | None,
+    peers: bool,
     as_json: bool,
     quick: bool,
     **given: str | None,
@@ -87,9 +89,8 @@ def bench(
         if name not in known:
             raise OptionError(f"--scene={name}: not known; accepted: {', '.join(known)}")
     scenes = [known[name] for name in dict.fromkeys(names or known)]
-    wish = Wish(
-        options, (512,) if quick else sizes, methods, tolerance, 5 if quick else rounds, 8 if quick else edges
-    )
+    care = (5, 8) if quick else (rounds, edges)
+    wish = Wish(options, (512,) if quick else sizes, methods, tolerance, *care, peers)
     results = tournament(scenes, wish)
     click.echo(json.dumps(results.as_json(), indent=2) if as_json else results.markdown(), nl=False)
     if output is not None:
