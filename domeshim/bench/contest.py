@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import statistics
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import closing
 from dataclasses import dataclass
@@ -14,9 +13,9 @@ from domeshim.bench.artist import Artist, draw_edge, look
 from domeshim.bench.colour_error import colour_rms, true_picture
 from domeshim.bench.edge_error import FINE, EdgeError, summary, telling
 from domeshim.bench.methods import Method
-from domeshim.bench.results import Cost, Row
+from domeshim.bench.results import Cost, Row, Seconds
 from domeshim.bench.scenes import Scene
-from domeshim.bench.stage import Player, Seconds, Stage
+from domeshim.bench.stage import Player, Stage
 from domeshim.lens.models import lens_of
 from domeshim.options import Options
 
@@ -118,13 +117,7 @@ class _Performance:
     def cost(self, stock: _Performance) -> Cost:
         """Its times against the stock monitor's in the same rounds."""
         pairs = [(self._times[k], stock._times[k]) for k in self._times if k in stock._times]
-        return Cost(
-            statistics.median(ours.wall / theirs.wall for ours, theirs in pairs),
-            statistics.median(ours.processor / theirs.processor for ours, theirs in pairs),
-            1000 * statistics.median(ours.wall for ours, _ in pairs),
-            1000 * statistics.median(theirs.wall for _, theirs in pairs),
-            len(pairs),
-        )
+        return Cost.of(pairs)
 
 
 def _rgb(player: Player) -> NDArray[np.uint8]:

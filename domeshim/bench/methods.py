@@ -37,6 +37,12 @@ class Method:
         """In few words."""
         return f"{self.family} {self.detail}".strip()
 
+    @property
+    def settings(self) -> dict[str, str]:
+        """As Options' fields have them, in words."""
+        heeded = {} if self.tolerance is None else {"tolerance": f"{self.tolerance:g}"}
+        return {"method": self.name, **heeded}
+
     def options(self, like: Options, scale: int = 1) -> Options:
         """The Options. scale: in a picture so many times as large, drawn no finer than the small one."""
         tolerance = like.tolerance if self.tolerance is None else self.tolerance

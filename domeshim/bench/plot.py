@@ -42,6 +42,8 @@ def _panels(results: Results) -> list[tuple[str, str, list[Row], _Error]]:
     for title, size, rows in results.scenes():
         if any(_largest(row) is not None for row in rows):
             found.append((f"{title}\n{size}x{size}", "largest error of an edge, pixels", rows, _largest))
+        if any(row.seen is not None and row.seen.moved is not None for row in rows):
+            found.append((f"{title}\n{size}x{size}", "largest displacement, pixels", rows, _moved))
         if any(row.colour is not None for row in rows):
             found.append((f"{title}\n{size}x{size}: colour", "RMS error, of 255", rows, _colour))
     return found
@@ -49,6 +51,10 @@ def _panels(results: Results) -> list[tuple[str, str, list[Row], _Error]]:
 
 def _largest(row: Row) -> float | None:
     return row.edges.largest if row.edges is not None and row.edges.largest < float("inf") else None
+
+
+def _moved(row: Row) -> float | None:
+    return row.seen.moved if row.seen is not None else None
 
 
 def _colour(row: Row) -> float | None:

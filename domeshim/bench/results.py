@@ -4,10 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass, field
+from statistics import median
 from typing import Any
 
 from domeshim import __version__
 from domeshim.bench.edge_error import EdgeError
+
+
+@dataclass(frozen=True)
+class Seconds:
+    """What one picture took: by the clock, and of the processors (all threads of the process)."""
+
+    wall: float
+    processor: float
 
 
 @dataclass(frozen=True)
@@ -21,6 +30,27 @@ class Cost:
     milliseconds: float
     stock_milliseconds: float
     rounds: int
+
+    @classmethod
+    def of(cls, pairs: Sequence[tuple[Seconds, Seconds]]) -> Cost:
+        """From what it took and what the stock monitor took, round by round."""
+        return cls(
+            median(ours.wall / theirs.wall for ours, theirs in pairs),
+            median(ours.processor / theirs.processor for ours, theirs in pairs),
+            1000 * median(ours.wall for ours, _ in pairs),
+            1000 * median(theirs.wall for _, theirs in pairs),
+            len(pairs),
+        )
+
+
+@dataclass(frozen=True)
+class Seen:
+    """A program's dome picture, seen through the program's own perspective, against its monitor picture."""
+
+    moved: float | None
+    """The largest displacement in the monitor's pixels; None where too little is to be seen."""
+    wrong: float
+    """The share of the pixels that are wrong."""
 
 
 @dataclass(frozen=True)
@@ -36,6 +66,8 @@ class Row:
     edges: EdgeError | None = None
     colour: float | None = None
     """Root mean square, of 255."""
+    seen: Seen | None = None
+    """Of a user's program."""
 
 
 @dataclass
@@ -71,22 +103,29 @@ class Results:
         return "\n\n".join(parts) + "\n"
 
 
-_HEAD = ("method", "time", "processor", "ms", "edges: mean", "largest", "lost", "colour")
+_HEAD = ("method", "time", "processor", "ms")
+_TRUE = ("edges: mean", "largest", "lost", "colour")
+_SEEN = ("displacement", "wrong pixels")
 
 
 def _table(rows: Sequence[Row]) -> str:
-    lines = [_HEAD, ("---", *("---:",) * (len(_HEAD) - 1))]
+    head = (*_HEAD, *(_SEEN if any(row.seen for row in rows) else _TRUE))
+    lines = [head, ("---", *("---:",) * (len(head) - 1))]
     for row in rows:
-        edges, cost = row.edges, row.cost
-        off = (
-            ("", "", "")
-            if edges is None
-            else (_figure(edges.mean), _figure(edges.largest), f"{edges.lost:.1%}")
-        )
-        colour = "" if row.colour is None else f"{row.colour:.1f}"
+        cost = row.cost
         times = (f"{cost.ratio:.2f}", f"{cost.processor_ratio:.2f}", f"{cost.milliseconds:.1f}")
-        lines.append((f"{row.family} {row.detail}".strip(), *times, *off, colour))
+        lines.append((f"{row.family} {row.detail}".strip(), *times, *_errors(row)))
     return "\n".join(f"| {' | '.join(line)} |" for line in lines)
+
+
+def _errors(row: Row) -> tuple[str, ...]:
+    if row.seen is not None:
+        return "" if row.seen.moved is None else _figure(row.seen.moved), f"{row.seen.wrong:.2%}"
+    edges = row.edges
+    off = (
+        ("", "", "") if edges is None else (_figure(edges.mean), _figure(edges.largest), f"{edges.lost:.1%}")
+    )
+    return *off, "" if row.colour is None else f"{row.colour:.1f}"
 
 
 def _finite(value: Any) -> Any:

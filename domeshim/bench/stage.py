@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
 from types import SimpleNamespace
 
 import OpenGL.GL
 import OpenGL.GLU
 
+from domeshim.bench.results import Seconds
 from domeshim.intercept.overlay import Overlay
 from domeshim.measure.pixels import read_pixels
 from domeshim.options import Options
@@ -18,14 +18,6 @@ from domeshim.window.contract import SurfaceFormat, Window, WindowEvents
 from domeshim.window.offscreen import OffscreenBackend
 
 GL = SimpleNamespace
-
-
-@dataclass(frozen=True)
-class Seconds:
-    """What one picture took: by the clock, and of the processors (all threads of the process)."""
-
-    wall: float
-    processor: float
 
 
 class Player:

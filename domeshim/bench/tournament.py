@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import chain
+from typing import Any
 
 from tqdm import tqdm
 
-from domeshim.bench import vtk_peer
+from domeshim.bench import programs, vtk_peer
 from domeshim.bench.contest import Contest
 from domeshim.bench.machine import machine
 from domeshim.bench.methods import Method, asked, tolerances_of, usual
-from domeshim.bench.results import Results
+from domeshim.bench.results import Results, Row
 from domeshim.bench.scenes import Scene
+from domeshim.measure.comparison import Program
 from domeshim.options import Options
 
 
@@ -40,24 +42,41 @@ class Wish:
 
 
 def tournament(scenes: Sequence[Scene], wish: Wish) -> Results:
-    """Measure it. Raises OptionError, ScreenError."""
+    """Measure the bench's own scenes. Raises OptionError, ScreenError."""
     contest = Contest(wish.options, wish.rounds, wish.edges)
     steps = [(scene, size, wish.by(size)) for size in wish.sizes for scene in scenes]
     results = Results(machine())
     peers = wish.peers and not wish.methods and _comparable(wish.options, results)
-    every = 0.1 if sys.stderr.isatty() else 10.0
-    total = sum(len(methods) + (len(_faces(size)) if peers else 0) for _, size, methods in steps)
-    with tqdm(total=total, unit="row", desc="bench", mininterval=every) as bar:
+    with _bar(sum(len(methods) + (len(_faces(size)) if peers else 0) for _, size, methods in steps)) as bar:
         heard = partial(bar.set_postfix_str, refresh=False)
         for scene, size, methods in steps:
             found = contest.rows(scene, size, methods, heard)
             if peers:
-                heard(f"{scene.name} {size}: VTK")
                 found = chain(found, vtk_peer.rows(scene, size, _faces(size), wish.rounds, wish.edges))
-            for row in found:
-                results.rows.append(row)
-                bar.update()
+            _collect(found, results, bar)
     return results
+
+
+def program_tournament(program: Program, wish: Wish, settings: Mapping[str, str]) -> Results:
+    """Measure a user's program; settings: of every dome. Raises DomeError where it cannot be measured."""
+    steps = [(size, wish.by(size)) for size in wish.sizes]
+    results = Results(machine())
+    with _bar(sum(len(methods) for _, methods in steps)) as bar:
+        heard = partial(bar.set_postfix_str, refresh=False)
+        for size, methods in steps:
+            _collect(programs.rows(program, size, methods, wish.rounds, settings, heard), results, bar)
+    return results
+
+
+def _bar(total: int) -> Any:
+    every = 0.1 if sys.stderr.isatty() else 10.0
+    return tqdm(total=total, unit="row", desc="bench", mininterval=every)
+
+
+def _collect(rows: Iterable[Row], results: Results, bar: Any) -> None:
+    for row in rows:
+        results.rows.append(row)
+        bar.update()
 
 
 def _faces(size: int) -> tuple[int, ...]:

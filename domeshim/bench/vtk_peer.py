@@ -6,7 +6,6 @@ Its time is against VTK's own monitor picture, in turns; its error is against th
 from __future__ import annotations
 
 import os
-import statistics
 import time
 from collections.abc import Iterator, Sequence
 from importlib.util import find_spec
@@ -18,7 +17,7 @@ from numpy.typing import NDArray
 from domeshim.bench.colour_error import colour_rms, true_picture
 from domeshim.bench.edge_error import FINE, EdgeError, summary, telling
 from domeshim.bench.meshes import Mesh, of_lines
-from domeshim.bench.results import Cost, Row
+from domeshim.bench.results import Cost, Row, Seconds
 from domeshim.bench.scenes import FAR, FOVY, NEAR, Scene
 from domeshim.lens.models import lens_of
 
@@ -87,32 +86,22 @@ class _Window:
         camera.SetViewAngle(FOVY)
         camera.SetClippingRange(NEAR, FAR)
 
-    def show(self, *, dome: bool) -> float:
-        """Draw a picture and wait until it is there; seconds."""
-        begun = time.perf_counter()
+    def show(self, *, dome: bool) -> Seconds:
+        """Draw a picture and wait until it is there."""
+        wall, processor = time.perf_counter(), time.process_time()
         self._renderer.SetPass(self._pass if dome else None)
         self._window.Render()
         self._window.WaitForCompletion()
-        return time.perf_counter() - begun
+        return Seconds(time.perf_counter() - wall, time.process_time() - processor)
 
     def cost(self, rounds: int) -> Cost:
         """The dome's picture against the monitor's, in turns."""
-        wall, processor = [], []
+        pairs = []
         for number in range(rounds + _WARM):
-            times = []
-            for dome in (False, True):
-                before = time.process_time()
-                times.append((self.show(dome=dome), time.process_time() - before))
+            monitor, dome = self.show(dome=False), self.show(dome=True)
             if number >= _WARM:
-                wall.append((times[1][0], times[0][0]))
-                processor.append(times[1][1] / times[0][1])
-        return Cost(
-            statistics.median(ours / theirs for ours, theirs in wall),
-            statistics.median(processor),
-            1000 * statistics.median(ours for ours, _ in wall),
-            1000 * statistics.median(theirs for _, theirs in wall),
-            rounds,
-        )
+                pairs.append((dome, monitor))
+        return Cost.of(pairs)
 
     def picture(self) -> NDArray[np.uint8]:
         """(size, size, 3), the top row first."""

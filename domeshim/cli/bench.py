@@ -8,7 +8,7 @@ from pathlib import Path
 
 import click
 
-from domeshim.cli.settings import dome_options, options_given, parse_window_size
+from domeshim.cli.settings import AS_TYPED, dome_options, options_given, parse_window_size, positive
 from domeshim.errors import OptionError
 from domeshim.extras import require
 
@@ -24,7 +24,7 @@ def _sizes(_context: click.Context, _parameter: click.Parameter, text: str) -> t
     return tuple(width for width, _ in sizes)
 
 
-@click.command()
+@click.command(context_settings=AS_TYPED)
 @click.option(
     "--scene", "names", multiple=True, help="One of the bench's scenes; may be repeated. All of them."
 )
@@ -57,7 +57,11 @@ def _sizes(_context: click.Context, _parameter: click.Parameter, text: str) -> t
 @click.option("--peers/--no-peers", default=True, help="VTK's panoramic pass as well, if vtk is installed.")
 @click.option("--json", "as_json", is_flag=True, help="Print JSON instead of tables.")
 @click.option("--quick", is_flag=True, help="512 pixels, 5 rounds, 8 edges.")
+@click.option("--timeout", **positive(60.0), help="Give up after so many real seconds without a picture.")
+@click.option("-m", "module", is_flag=True, help="PROG is a module's name, as for python -m.")
 @dome_options(_FIELDS)
+@click.argument("prog", required=False)
+@click.argument("args", nargs=-1, type=click.UNPROCESSED)
 def bench(
     names: tuple[str, ...],
     sizes: tuple[int, ...],
@@ -69,12 +73,17 @@ def bench(
     peers: bool,
     as_json: bool,
     quick: bool,
+    timeout: float,
+    module: bool,
+    prog: str | None,
+    args: tuple[str, ...],
     **given: str | None,
 ) -> int:
-    """Measure error against run time: scenes by methods, on this machine's GL, without a display.
+    """Measure error against run time on this machine's GL, without a display.
 
-    Each method's picture takes turns with the monitor's picture by stock PyOpenGL, in one process; errors are
-    against the truth in float64.
+    The bench's own scenes by each method: a method's picture takes turns with the monitor's picture by stock
+    PyOpenGL, in one process; errors are against the truth in float64. With PROG, that program instead: its
+    pictures take turns as well, in processes of their own, and errors are what domeshim compare finds.
     """
     require("scipy", "measure", "domeshim bench")
     if output is not None:
@@ -82,7 +91,8 @@ def bench(
     options = options_given(True, given)
     os.environ["PYOPENGL_PLATFORM"] = "egl"  # before OpenGL is imported
     from domeshim.bench.scenes import SCENES  # noqa: PLC0415 - once the options are known to be good
-    from domeshim.bench.tournament import Wish, tournament  # noqa: PLC0415
+    from domeshim.bench.tournament import Wish, program_tournament, tournament  # noqa: PLC0415
+    from domeshim.measure.comparison import Program  # noqa: PLC0415
 
     known = {scene.name: scene for scene in SCENES}
     for name in names:
@@ -91,7 +101,13 @@ def bench(
     scenes = [known[name] for name in dict.fromkeys(names or known)]
     care = (5, 8) if quick else (rounds, edges)
     wish = Wish(options, (512,) if quick else sizes, methods, tolerance, *care, peers)
-    results = tournament(scenes, wish)
+    if prog is not None and names:
+        raise OptionError(f"--scene={names[0]}: {prog} is measured instead; accepted: one of the two")
+    if prog is None:
+        results = tournament(scenes, wish)
+    else:
+        settings = {field: text for field, text in given.items() if text is not None}
+        results = program_tournament(Program(prog, args, module, timeout=timeout), wish, settings)
     click.echo(json.dumps(results.as_json(), indent=2) if as_json else results.markdown(), nl=False)
     if output is not None:
         from domeshim.bench.files import write  # noqa: PLC0415
