@@ -138,6 +138,7 @@ _SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "glEnableVertexAttribArray": (None, (_UINT,)),
     "glDisableVertexAttribArray": (None, (_UINT,)),
     "glGenBuffers": (None, (_INT, POINTER(c_uint))),
+    "glDeleteBuffers": (None, (_INT, POINTER(c_uint))),
     "glGetBufferSubData": (None, (_ENUM, c_ssize_t, c_ssize_t, _POINTER)),
     "glGetPointerv": (None, (_ENUM, POINTER(c_void_p))),
     "glBindBuffer": (None, (_ENUM, _UINT)),

@@ -58,6 +58,10 @@ class Options:
     """None: as the program and the driver have it."""
     display: int | None = None
     keep_going: bool = False
+    record: str | None = None
+    """The film of what is seen, if there shall be one from the start."""
+    preview: bool = False
+    """A virtual dome opens beside the program."""
 
     @property
     def flat_hud(self) -> bool:
@@ -122,10 +126,13 @@ def _in_file(config: Said) -> dict[str, Said]:
     return {field: Said(name, text, path.parent) for field, (name, text) in found.items() if text.strip()}
 
 
+_HERE = ("enabled", "record", "preview")
+
+
 def settings_in_environment() -> dict[str, str]:
-    """The user's DOME_* variables as texts, by the field of Options; for a process elsewhere."""
+    """The user's DOME_* variables as texts, by the field of Options; for a process without a screen."""
     found = {field: os.environ.get(variable, "") for field, variable in VARIABLES.items()}
-    return {field: text for field, text in found.items() if text.strip() and field != "enabled"}
+    return {field: text for field, text in found.items() if text.strip() and field not in _HERE}
 
 
 def _reject_misspelt(environ: Mapping[str, str]) -> None:

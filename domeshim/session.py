@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from domeshim.options import Options
 from domeshim.window.clock import Clock, RealClock
+from domeshim.window.dome_keys import CARD_KEY
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -19,6 +20,9 @@ if TYPE_CHECKING:
     from domeshim.draw.shape import Shape
     from domeshim.driver import Driver
     from domeshim.GLUT.state import GlutState
+    from domeshim.live.audience import Audience
+    from domeshim.preview.dome import VirtualDome
+    from domeshim.preview.viewer import Viewer
     from domeshim.startup import Installation
     from domeshim.state.region import Region
     from domeshim.window.contract import Backend, BackendFactory, Window
@@ -121,6 +125,11 @@ class Session:
         """What the dome calls GL by, where somebody wants to look on; None: GL itself."""
         self.installation: Installation | None = None
         self.listeners: list[FrameListener] = []
+        self.audience: Audience | None = None
+        """Takes what is seen on to a film and a virtual dome; on a screen only."""
+        self.virtual_dome: VirtualDome | None = None
+        """The one to be opened beside the program, if another than its options stand for."""
+        self.viewer: Viewer | None = None
         self.parts: Parts | None = None
         """Takes the pictures of windows that lie inside others; None where there are none."""
         self.glut: GlutState | None = None
@@ -188,6 +197,11 @@ class Session:
         """
         if self.options.enabled and self.options.vsync is not None:
             window.set_vsync(self.options.vsync)
+        if self.options.enabled and self.audience is None and not self.backend_given:
+            from domeshim.live.audience import Audience  # noqa: PLC0415 - with a window on a screen
+
+            self.audience = Audience(self)
+            self.listeners.append(self.audience)
         if bent:
             self._unmet[window] = program_size
         else:
@@ -209,6 +223,8 @@ class Session:
 
     def window_closed(self, window: Window) -> None:
         """The window is about to close."""
+        if self.audience is not None:
+            self.audience.window_closing(window)
         if self.dome is not None:
             self.dome.window_closed(window)
         self._unmet.pop(window, None)
@@ -222,6 +238,14 @@ class Session:
             return False
         self.dome.window_opened(window, self._unmet.pop(window))
         return True
+
+    def takes_key(self, window: Window, key: int) -> bool:
+        """The dome does what a key of its own (dome_keys.py) stands for; False where it cannot."""
+        if key == CARD_KEY:
+            return self.dome is not None and self.dome.toggle_card(window)
+        if self.audience is not None:
+            self.audience.toggle_recording()
+        return self.audience is not None
 
     # How a frame ends: at the swap, or at the flush of a single-buffered program (DESIGN 7).
 

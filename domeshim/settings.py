@@ -147,6 +147,15 @@ def _disc(text: str) -> Place:
     return x, y, radius
 
 
+def _film(text: str, folder: Path) -> str:
+    path = folder / text
+    if path.suffix.lower() not in (".mp4", ".mov", ".webm"):
+        raise ValueError("not a kind of video known here")
+    if not path.absolute().parent.is_dir():
+        raise ValueError("no such folder")
+    return str(path)
+
+
 PRESETS = {"domemaster": {"fov": "180", "tilt": "90", "lens": "equidistant"}}
 """What each DOME_PRESET stands for. A dome master looks straight up, and its front is at the bottom edge."""
 
@@ -185,6 +194,8 @@ SETTINGS = {
     "frame": Setting(f"WxH in pixels, each 1 to {LARGEST_SIDE}", parse_size),
     "display": Setting("a display's number, 0 the first", _display),
     "keep_going": Setting("0 or 1", _flag),
+    "record": Setting("a file to write, .mp4, .mov or .webm, in a folder that is there", str, _film),
+    "preview": Setting("0 or 1", _flag),
 }
 
 VARIABLES = {field: "DOME" if field == "enabled" else f"DOME_{field.upper()}" for field in SETTINGS}

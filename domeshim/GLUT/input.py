@@ -11,7 +11,7 @@ from domeshim.GLUT.dispatch import call_input, call_window
 from domeshim.GLUT.families import enter, point, pointed_window
 from domeshim.GLUT.popup import menu_takes_button, menu_takes_motion
 from domeshim.GLUT.state import GlutState, GlutWindow
-from domeshim.window.card_key import is_card_key
+from domeshim.window.dome_keys import is_dome_key
 
 _REPEATED = -1  # stands for the key whose automatic repetition is being ignored
 
@@ -44,8 +44,8 @@ def frame_pointer(window: GlutWindow, x: int, y: int) -> tuple[float, float]:
 
 
 def key(state: GlutState, window: GlutWindow, key: int, pressed: bool, modifiers: int) -> None:
-    """Tell of a key, unless its character is still to come, or it is the test card's."""
-    if pressed and is_card_key(key, modifiers) and _shows_card(window, key):
+    """Tell of a key, unless its character is still to come, or it is the dome's."""
+    if pressed and is_dome_key(key, modifiers) and _is_taken(window, key):
         return
     heard = pointed_window(window)
     window.typing = None
@@ -68,14 +68,13 @@ def key(state: GlutState, window: GlutWindow, key: int, pressed: bool, modifiers
         window.typing = key
 
 
-def _shows_card(window: GlutWindow, key: int) -> bool:
-    """Let the dome have its test card's key; False where there is no dome."""
+def _is_taken(window: GlutWindow, key: int) -> bool:
+    """Let the dome have its key; False where there is no dome."""
     if key in window.keys:
         return True  # its automatic repetition
-    dome = sessions.current().dome
-    if dome is None or not dome.toggle_card(window.surface):
+    if not sessions.current().takes_key(window.surface, key):
         return False
-    window.keys[key] = ("card", 0)  # its release is not the program's either
+    window.keys[key] = ("dome", 0)  # its release is not the program's either
     window.redisplay = True
     return True
 

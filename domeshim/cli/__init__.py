@@ -10,7 +10,7 @@ import click
 from domeshim import __version__, startup
 from domeshim.errors import DomeError
 
-COMMANDS = ("run", "capture", "compare", "bench", "render", "lens", "explain", "doctor")
+COMMANDS = ("run", "capture", "compare", "bench", "render", "preview", "lens", "explain", "doctor")
 """The commands in the order of --help. Each is a module of this folder, and a function of its name there."""
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import click
@@ -19,10 +19,25 @@ Command = Callable[..., Job | int | None]
 FIELDS = (
     *("config", "preset", "fov", "tilt", "heading", "roll", "seat", "projector", "radius", "lens"),
     *("method", "tolerance", "hud", "panel", "fill", "stereo", "eyes"),
-    *("surface", "disc", "mirror", "fade", "brightness", "gamma", "max_turn", "frame", "display", "vsync"),
+    *(
+        "surface",
+        "disc",
+        "mirror",
+        "fade",
+        "brightness",
+        "gamma",
+        "max_turn",
+        "frame",
+        "display",
+        "vsync",
+        "record",
+        "preview",
+    ),
 )
 """The fields of Options that domeshim run can be told."""
-FIELDS_OFF_SCREEN = tuple(field for field in FIELDS if field not in ("frame", "display", "vsync"))
+FIELDS_OFF_SCREEN = tuple(
+    field for field in FIELDS if field not in ("frame", "display", "vsync", "record", "preview")
+)
 """Those that mean something where no window is shown."""
 FINISHES = ("stereo", "eyes", "surface", "disc", "mirror", "fade", "brightness", "gamma")
 """Those that make another picture of the dome's: for two eyes, another surface, another projector."""
@@ -53,7 +68,7 @@ def program(command: Command) -> Command:
     return command
 
 
-def options_given(enabled: bool, given: dict[str, str | None]) -> Options:
+def options_given(enabled: bool, given: Mapping[str, str | None]) -> Options:
     """The Options by the environment and by a command's own options, which win.
 
     Raises OptionError.

@@ -46,14 +46,14 @@ def read_pixels(width: int, height: int, *, corner: tuple[int, int] = (0, 0), bu
 
     gl = PLATFORM.GL
     pixels = create_string_buffer(3 * width * height)
-    with _plain_reading(gl, buffer), _resolved(gl, corner, width, height) as (left, bottom):
+    with plain_reading(gl, buffer), resolved(gl, corner, width, height) as (left, bottom):
         gl.glReadPixels(left, bottom, width, height, GL_RGB, GL_UNSIGNED_BYTE, pixels)
     row, rows = 3 * width, memoryview(pixels).cast("B")
     return b"".join(rows[start : start + row] for start in range(row * (height - 1), -1, -row))
 
 
 @contextmanager
-def _plain_reading(gl: Any, buffer: int) -> Iterator[None]:
+def plain_reading(gl: Any, buffer: int) -> Iterator[None]:
     """Reading goes from a buffer of the window to memory, tightly packed and unchanged, while this lasts."""
     restore = []
 
@@ -78,7 +78,7 @@ def _plain_reading(gl: Any, buffer: int) -> Iterator[None]:
 
 
 @contextmanager
-def _resolved(gl: Any, corner: tuple[int, int], width: int, height: int) -> Iterator[tuple[int, int]]:
+def resolved(gl: Any, corner: tuple[int, int], width: int, height: int) -> Iterator[tuple[int, int]]:
     """Reading from a multisampled window gives the mean of each pixel's samples while this lasts.
 
     Mesa's glReadPixels alone gives one of them. Yields where the corner is to be read then.

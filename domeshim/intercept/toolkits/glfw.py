@@ -233,14 +233,14 @@ class GlfwToolkit(ToolkitHost):
         return former
 
     def set_key_callback(self, window: Any, function: Any) -> Any:
-        """Tell function(window, key, scancode, action, modifiers) of the keys, but not of the test card's."""
+        """Tell function(window, key, scancode, action, modifiers) of the keys, but not of the dome's."""
         opened = self._windows.get(_address(window))
         if opened is None:
             return self._glfw.set_key_callback(window, function)
 
         def heard(handle: Any, key: int, scancode: int, action: int, modifiers: int) -> None:
             down = action != self._glfw.RELEASE
-            if not self.is_card(opened.surface, key, modifiers, down=down) and function:
+            if not self.is_domes(opened.surface, key, modifiers, down=down) and function:
                 function(handle, key, scancode, action, modifiers)
 
         former, opened.key_told = opened.key_told, function

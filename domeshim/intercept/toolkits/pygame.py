@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 from domeshim.intercept.toolkits.timers import VirtualTimers
 from domeshim.intercept.toolkits.windows import ToolkitHost, ToolkitWindow
-from domeshim.window.card_key import CARD_KEY
 from domeshim.window.contract import SurfaceFormat, Window, WindowEvents
+from domeshim.window.dome_keys import DOME_KEYS
 
 if TYPE_CHECKING:
     from domeshim.session import Session
@@ -23,7 +23,9 @@ _FLAGS, _PROFILE = 20, 21
 _FORWARD_COMPATIBLE, _CORE, _ES = 2, 1, 4
 _POINTING = (0x400, 0x401, 0x402)
 """SDL's mouse motion, button down and button up."""
-_NO_EVENT, _KEY_DOWN, _KEY_UP, _P = 0, 0x300, 0x301, 0x70
+_NO_EVENT, _KEY_DOWN, _KEY_UP = 0, 0x300, 0x301
+_DOME_KEYS = {ord(chr(key).lower()): key for key in DOME_KEYS}
+"""The dome's keys by pygame's numbers."""
 _TYPES = (
     *(*range(0x100, 0x110), *range(0x150, 0x153), *range(0x200, 0x202), *range(0x300, 0x306)),
     *(*range(0x400, 0x405), *range(0x600, 0x660), *range(0x700, 0x703), *range(0x800, 0x803)),
@@ -226,13 +228,13 @@ class PygameToolkit(ToolkitHost):
         return bool(self._event["peek"](_TYPES))
 
     def _passes(self, event: Any) -> bool:
-        """Make an event the program's; False for the test card's key."""
+        """Make an event the program's; False for a key of the dome's."""
         if event is None:
             return True
-        if event.type in (_KEY_DOWN, _KEY_UP) and getattr(event, "key", None) == _P:
+        if event.type in (_KEY_DOWN, _KEY_UP) and getattr(event, "key", None) in _DOME_KEYS:
             held = getattr(event, "mod", 0)
             modifiers = sum(bit for bit, mask in _MODIFIERS.items() if held & mask)
-            if self.is_card(self._window, CARD_KEY, modifiers, down=event.type == _KEY_DOWN):
+            if self.is_domes(self._window, _DOME_KEYS[event.key], modifiers, down=event.type == _KEY_DOWN):
                 return False
         self._place(event)
         return True

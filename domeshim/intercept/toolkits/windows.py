@@ -7,8 +7,8 @@ from collections.abc import Callable
 from domeshim.driver import Driver
 from domeshim.session import Session
 from domeshim.startup import say
-from domeshim.window.card_key import CARD_KEY, is_card_key
 from domeshim.window.contract import SurfaceFormat, Window, WindowEvents
+from domeshim.window.dome_keys import DOME_KEYS, is_dome_key
 
 _SAMPLES_ON_SCREEN = 4  # as window/screen.py, which cannot be asked without opening a display of its own
 _VERSION = 0x1F02
@@ -84,7 +84,7 @@ class ToolkitHost:
         self._name = name
         self._said: set[str] = set()
         self._driver = Driver()
-        self._card_key_held = False
+        self._dome_keys_held: set[int] = set()
 
     @property
     def gives_windows(self) -> bool:
@@ -131,16 +131,18 @@ class ToolkitHost:
         dome = self.session.dome
         return (x, y) if dome is None else dome.frame_place(window, x, y)
 
-    def is_card(self, window: Window | None, key: int, modifiers: int, *, down: bool) -> bool:
-        """The dome takes a key, by glfw's numbers, as the test card's; the program shall not hear of it."""
-        dome = self.session.dome
-        if dome is None or window is None or key != CARD_KEY:
+    def is_domes(self, window: Window | None, key: int, modifiers: int, *, down: bool) -> bool:
+        """The dome takes a key, by glfw's numbers, as its own; the program shall not hear of it."""
+        if window is None or key not in DOME_KEYS:
             return False
-        if self._card_key_held:  # its repetition, or its release, by which Ctrl may be up again
-            self._card_key_held = down
+        if key in self._dome_keys_held:  # its repetition, or its release, by which Ctrl may be up again
+            if not down:
+                self._dome_keys_held.discard(key)
             return True
-        self._card_key_held = down and is_card_key(key, modifiers) and dome.toggle_card(window)
-        return self._card_key_held
+        taken = down and is_dome_key(key, modifiers) and self.session.takes_key(window, key)
+        if taken:
+            self._dome_keys_held.add(key)
+        return taken
 
     def finished(self, window: Window) -> None:
         """The program has finished a picture."""

@@ -1,0 +1,149 @@
+"""What the audience sees goes on to a film and to a virtual dome, while the program runs."""
+
+from __future__ import annotations
+
+import atexit
+import os
+import subprocess
+import sys
+import time
+from datetime import datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from domeshim.driver import Driver
+from domeshim.errors import DomeError
+
+if TYPE_CHECKING:
+    from domeshim.live.readback import Picture, Readback
+    from domeshim.live.recording import Recording
+    from domeshim.live.shared import Board
+    from domeshim.session import Session
+    from domeshim.window.contract import Window
+
+_SHOWN_EVERY = 1 / 30
+"""Seconds between two pictures for the virtual dome."""
+
+
+class Audience:
+    """Looks at the pictures of the first window that the program shows."""
+
+    def __init__(self, session: Session) -> None:
+        self._session = session
+        self._options = session.options
+        self._driver = Driver()
+        self._window: Window | None = None
+        self._readback: Readback | None = None
+        self._recording: Recording | None = None
+        self._board: Board | None = None
+        self._viewer: subprocess.Popen[bytes] | None = None
+        self._shown = 0.0
+        self._files = 0
+        if self._options.record is not None:
+            self.toggle_recording()
+        if self._options.preview:
+            self._open_preview()
+        atexit.register(self.close)
+
+    def frame_finished(self, window: Window, number: int) -> None:  # noqa: ARG002 - the contract's own
+        """Read the picture, if anybody wants it, and hand on an earlier one."""
+        if self._recording is None and self._board is None:
+            return
+        self._window = self._window or window
+        if window is not self._window:
+            return
+        now = time.perf_counter()
+        if self._recording is None and now - self._shown < _SHOWN_EVERY:
+            return
+        if self._readback is None:
+            from domeshim.live.readback import Readback  # noqa: PLC0415 - numpy, for those who look alone
+
+            self._readback = Readback(self._driver)
+        picture = self._readback.read(window, now)
+        if picture is not None:
+            self._hand_on(picture)
+
+    def window_closing(self, window: Window) -> None:
+        """The window's context is about to go; it need not be current."""
+        if window is not self._window:
+            return
+        current = self._session.window
+        window.make_current()
+        self._finish_reading()
+        self._window = None
+        if current is not None and current is not window:
+            current.make_current()
+
+    def toggle_recording(self) -> None:
+        """Begin a film, or end it; says so, and where it is."""
+        from domeshim.startup import say  # noqa: PLC0415 - which imports the session
+
+        if self._recording is not None:
+            self._finish_reading()
+            self._end_recording()
+            return
+        try:
+            from domeshim.live.recording import Recording  # noqa: PLC0415 - for those who record alone
+
+            self._recording = Recording(self._next_file())
+        except DomeError as error:
+            say(str(error))
+        else:
+            say(f"recording to {self._recording.path}; Ctrl+Shift+R ends it")
+
+    def close(self) -> None:
+        """End the film and the virtual dome."""
+        atexit.unregister(self.close)
+        self._end_recording()
+        if self._board is not None:
+            self._board.close()
+            self._board = None
+
+    def _next_file(self) -> Path:
+        self._files += 1
+        if self._options.record is None:
+            return Path(f"domeshim-{datetime.now():%Y%m%d-%H%M%S}.mp4").absolute()
+        path = Path(self._options.record).absolute()
+        return path if self._files == 1 else path.with_stem(f"{path.stem}-{self._files}")
+
+    def _end_recording(self) -> None:
+        from domeshim.startup import say  # noqa: PLC0415 - which imports the session
+
+        recording, self._recording = self._recording, None
+        if recording is None:
+            return
+        recording.close()
+        if recording.error:
+            say(f"{recording.path}: {recording.error}")
+        elif recording.taken:
+            lost = f"; {recording.dropped} dropped, for encoding was slower" if recording.dropped else ""
+            say(f"{recording.taken} pictures recorded to {recording.path}{lost}")
+
+    def _finish_reading(self) -> None:
+        """Hand on what is still being read; the window must be current."""
+        if self._readback is not None:
+            for picture in self._readback.rest():
+                self._hand_on(picture)
+
+    def _hand_on(self, picture: Picture) -> None:
+        if self._recording is not None:
+            self._recording.add(picture)
+        if self._board is None or picture.time - self._shown < _SHOWN_EVERY:
+            return
+        self._shown = picture.time
+        if self._viewer is not None and self._viewer.poll() is not None:
+            self._board.close()  # the user has closed it
+            self._board = None
+        else:
+            self._board.put(picture.rows)
+
+    def _open_preview(self) -> None:
+        from domeshim.live.shared import Board  # noqa: PLC0415 - numpy, for those who look alone
+        from domeshim.preview.dome import dome_of  # noqa: PLC0415
+        from domeshim.preview.viewer import Viewer  # noqa: PLC0415
+
+        self._board = Board()
+        dome = self._session.virtual_dome or dome_of(self._options)
+        told = dome.to_json(), (self._session.viewer or Viewer()).to_json()
+        command = [sys.executable, "-m", "domeshim.preview.beside", self._board.name, *told]
+        self._viewer = subprocess.Popen(command, env={**os.environ, "DOME": "0"})

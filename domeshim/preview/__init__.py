@@ -1,0 +1,1 @@
+"""A virtual dome on the desk: pictures on a hemisphere, and a viewer in it."""
