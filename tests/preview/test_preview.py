@@ -100,7 +100,8 @@ def test_view_of_a_program(tmp_path: Path):
     program.write_text(
         "from OpenGL.GL import *\nfrom OpenGL.GLU import *\nfrom OpenGL.GLUT import *\n"
         "def display():\n glClearColor(0, 1, 0, 1); glClear(GL_COLOR_BUFFER_BIT); glutSwapBuffers()\n"
-        "glutInit(); glutInitDisplayMode(GLUT_DOUBLE); glutCreateWindow('p'); glutDisplayFunc(display)\nglutMainLoop()\n"
+        "glutInit(); glutInitDisplayMode(GLUT_DOUBLE); glutCreateWindow('p')\n"
+        "glutDisplayFunc(display); glutMainLoop()\n"
     )
     view = tmp_path / "view.png"
     done = preview("--output", str(view), "--size", "60x40", str(program), DOME_TILT="30")
