@@ -7,7 +7,8 @@ DEMO := demos/teapots.py
 PICTURES := pictures
 DEBIAN := libegl1 libgl1-mesa-dri libglx-mesa0 libglu1-mesa libglut3.12 xvfb xauth xdotool
 
-.PHONY: demo test check-style docs corpus sensitivity gallery figures bench-immediate endurance debian clean
+.PHONY: demo test check-style docs corpus sensitivity gallery figures bench-immediate stability watertight \
+	endurance debian clean
 
 demo: $(VENV)/installed
 	@if [ -n "$$DISPLAY$$WAYLAND_DISPLAY" ]; then \
@@ -46,6 +47,14 @@ figures: $(VENV)/developed
 # What the dome costs each way to draw, dome over monitor: a line for each, in a minute or two.
 bench-immediate: $(VENV)/developed debian
 	$(BIN)/python benchmarks/immediate.py
+
+# How exact each method is on stiff and extreme geometry: docs/stability.md, in a quarter of an hour.
+stability: $(VENV)/developed debian
+	$(BIN)/python benchmarks/stability.py
+
+# 1,000 random meshes by each method, white on black: not one pinhole. In some ten minutes.
+watertight: $(VENV)/developed debian
+	MESHES=1000 $(BIN)/python -m pytest tests/pictures/test_watertight.py
 
 # 100,000 pictures: memory and GL's objects on the way, in some ten minutes.
 endurance: $(VENV)/developed debian

@@ -32,7 +32,7 @@ _FEW = 24
 """Up to so many vertices GL's own glVertex costs less than arrays."""
 
 _PATCHES = 0x000E
-_BATCH = 6 * 128
+_BATCH = 6 * 48
 """So many vertices of patches are drawn at a time: Mesa's CPU driver mixes up more than 65,536 of a draw."""
 
 _FLOAT, _TEXTURE0, _STREAM_DRAW = 0x1406, 0x84C0, 0x88E0

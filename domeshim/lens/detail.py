@@ -65,9 +65,10 @@ def pieces_per_radian(
 ) -> float:
     """How many straight pieces an arc of one radian needs; radius of the disc and tolerance in pixels.
 
-    It is more by 1 / b where the arc comes closer than one radian to straight behind.
+    Places inside an even triangle of edges a are off by up to R k a^2 / 6, more than those on its edges. It
+    is more by 1 / b where the arc comes closer than one radian to straight behind.
     """
-    return float(np.sqrt(radius * curvature(lens, fov, orientation) / (8 * tolerance)))
+    return float(np.sqrt(radius * curvature(lens, fov, orientation) / (6 * tolerance)))
 
 
 def least_from_behind(fov: float, detail: float) -> float:
@@ -75,9 +76,10 @@ def least_from_behind(fov: float, detail: float) -> float:
 
     What is drawn reaches one piece beyond the rim, which is then cut to the pixel. But straight behind there
     is no direction, and a piece around it would be drawn inside out, over all the disc: a lens of 360 degrees
-    leaves out about half the tolerance, in pixels of radius. detail: pieces an arc of one radian is cut into.
+    leaves out about a quarter of the tolerance, in pixels of radius. detail: pieces an arc of one radian is
+    cut into.
     """
-    return float(max(np.pi - np.radians(fov / 2) - 1 / detail, min(0.2 / detail**2, 0.05)))
+    return float(max(np.pi - np.radians(fov / 2) - 1 / detail, min(0.1 / detail**2, 0.05)))
 
 
 def cone(half_angle: float) -> tuple[float, float]:

@@ -1,5 +1,5 @@
-// How many pieces an edge needs: a chord of angle a is off by at most R k a^2 / 8 pixels.
-// domeDetail = sqrt(R k / (8 tolerance)). What the CPU leaves whole shall not come out as two by rounding.
+// How many pieces an edge needs: what is between its chords is off by at most R k a^2 / 6 pixels.
+// domeDetail = sqrt(R k / (6 tolerance)). What the CPU leaves whole shall not come out as two by rounding.
 uniform float domeDetail;
 
 float piecesOf(vec3 a, vec3 b, float angle) {

@@ -1,4 +1,4 @@
-// A triangle's edges by their angles.
+// A triangle's edges by their angles; its inside finer, since there the blend is less even.
 layout(vertices = 3) out;
 patch out vec3 domeAngles;
 patch out vec3 domeDistances;
@@ -10,5 +10,5 @@ void subdivide() {
     gl_TessLevelOuter[0] = triangle.pieces.x;
     gl_TessLevelOuter[1] = triangle.pieces.y;
     gl_TessLevelOuter[2] = triangle.pieces.z;
-    gl_TessLevelInner[0] = max(max(triangle.pieces.x, triangle.pieces.y), triangle.pieces.z);
+    gl_TessLevelInner[0] = ceil(1.5 * max(max(triangle.pieces.x, triangle.pieces.y), triangle.pieces.z));
 }
