@@ -131,6 +131,11 @@ class WatchedDriver(Driver):
         with self._drawing(mode, count):
             self._gl.glDrawArrays(mode, first, count)
 
+    def glDrawElements(self, mode: int, count: int, kind: int, indices: Any) -> None:
+        """Count it."""
+        with self._drawing(mode, count):
+            self._gl.glDrawElements(mode, count, kind, indices)
+
     def glMultiDrawArrays(self, mode: int, firsts: Any, counts: Any, number: int) -> None:
         """Count it, as one."""
         with self._drawing(mode, *(counts[i] for i in range(number))):

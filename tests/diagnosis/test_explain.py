@@ -27,9 +27,10 @@ def display():
     glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glEnable(GL_FOG)
     glCallList(made)
     glDisable(GL_LIGHTING); glDisable(GL_FOG)
-    glScalef(900, 900, 1); fan(4)
-    glVertexPointerf([[0, 0, 0], [.00001, 0, 0], [0, .00001, 0]]); glEnableClientState(GL_VERTEX_ARRAY)
+    glPushMatrix(); glScalef(900, 900, 1); fan(4); glPopMatrix(); glScalef(.001, .001, .001)
+    glVertexPointerf([[0, 0, 0], [1, 0, 0], [0, 1, 0]]); glEnableClientState(GL_VERTEX_ARRAY)
     glDrawArrays(GL_TRIANGLES, 0, 3)
+    glutSolidTetrahedron()
     glutSwapBuffers(); glutPostRedisplay()
 glutInit(); glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB); glutCreateWindow("program")
 made = glGenLists(1)
@@ -57,12 +58,10 @@ def test_each_way_to_draw_with_what_it_needs_and_leaves_out(explain):
             for way in seen["draws"] if way["kind"] == "draw"}  # fmt: skip
     assert len(ways) == 3
     plain, lit, long = ways[False, True], ways[True, True], ways[False, False]
-    # Three fans of 40 in this picture, whatever was drawn before, and the program's own array.
-    assert (plain["vertices"], plain["primitives"], plain["generated"]) == (
-        3 * 40 + 3,
-        3 * 38 + 1,
-        3 * 38 + 1,
-    )
+    # Three fans of 40 in this picture, whatever was drawn before, the program's own array, and a solid of GLUT's.
+    primitives = 3 * 38 + 1 + 4
+    assert plain["vertices"] == 3 * 40 + 3 + 12
+    assert (plain["primitives"], plain["generated"]) == (primitives, primitives)
     assert {"lighting", "fog", "textures", "clip planes"} <= set(plain["left_out"])
     assert (lit["draws"], lit["vertices"], lit["primitives"]) == (1, 30, 28)
     assert "fog by distance" in lit["needs"]
