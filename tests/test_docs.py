@@ -8,6 +8,7 @@ import click
 import pytest
 
 from domeshim.cli import COMMANDS, commands
+from domeshim.cli.meanings import MEANINGS
 from domeshim.cli.settings import FIELDS
 from domeshim.settings import VARIABLES
 
@@ -105,3 +106,7 @@ def test_troubleshooting_has_every_message():
         f"{where}: {words}" for where, words in found if words not in page and not where.startswith(private)
     ]
     assert not missing, "\n".join(missing)
+
+
+def test_help_says_what_each_setting_is():
+    assert list(MEANINGS) == list(FIELDS)

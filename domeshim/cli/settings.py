@@ -7,6 +7,7 @@ from typing import Any
 
 import click
 
+from domeshim.cli.meanings import MEANINGS
 from domeshim.errors import OptionError
 from domeshim.options import Options
 from domeshim.settings import ACCEPTED, LARGEST_SIDE, parse_size
@@ -51,7 +52,8 @@ def dome_options(fields: tuple[str, ...]) -> Callable[[Command], Command]:
     def add(command: Command) -> Command:
         for field in reversed(fields):
             name = f"--{field.replace('_', '-')}"
-            command = click.option(name, field, metavar="VALUE", help=f"{ACCEPTED[field]}.")(command)
+            said = f"{MEANINGS[field]}: {ACCEPTED[field]}."
+            command = click.option(name, field, metavar="VALUE", help=said)(command)
         return command
 
     return add
