@@ -30,4 +30,6 @@ MEANINGS = {
     "frame": "The real window's size, whatever the program asks for",
     "display": "Which display to cover",
     "vsync": "Pictures in step with the display, or at once",
+    "record": "A film of what the audience sees",
+    "preview": "A virtual dome beside the program's window",
 }

@@ -20,20 +20,8 @@ Command = Callable[..., Job | int | None]
 FIELDS = (
     *("config", "preset", "fov", "tilt", "heading", "roll", "seat", "projector", "radius", "lens"),
     *("method", "tolerance", "hud", "panel", "fill", "stereo", "eyes"),
-    *(
-        "surface",
-        "disc",
-        "mirror",
-        "fade",
-        "brightness",
-        "gamma",
-        "max_turn",
-        "frame",
-        "display",
-        "vsync",
-        "record",
-        "preview",
-    ),
+    *("surface", "disc", "mirror", "fade", "brightness", "gamma", "max_turn"),
+    *("frame", "display", "vsync", "record", "preview"),
 )
 """The fields of Options that domeshim run can be told."""
 FIELDS_OFF_SCREEN = tuple(

@@ -58,7 +58,7 @@ def test_each_way_to_draw_with_what_it_needs_and_leaves_out(explain):
             for way in seen["draws"] if way["kind"] == "draw"}  # fmt: skip
     assert len(ways) == 3
     plain, lit, long = ways[False, True], ways[True, True], ways[False, False]
-    # Three fans of 40 in this picture, whatever was drawn before, the program's own array, and a solid of GLUT's.
+    # Three fans of 40 in this picture, whatever was drawn before, its own array, and a solid of GLUT's.
     primitives = 3 * 38 + 1 + 4
     assert plain["vertices"] == 3 * 40 + 3 + 12
     assert (plain["primitives"], plain["generated"]) == (primitives, primitives)
