@@ -10,6 +10,7 @@ import math
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass
+from pathlib import Path
 
 from domeshim.errors import OptionError
 from domeshim.lens import catalogue, surfaces
@@ -172,17 +173,42 @@ def _check_stereo(options: Options, said: Mapping[str, Said]) -> None:
 
 def _check_surface(options: Options, said: Mapping[str, Said]) -> None:
     """Raise OptionError for what a surface or a finish cannot be had with."""
+    kind = options.surface[0]
     shared = options.stereo in ("top-bottom", "left-right")
-    if options.cubemap and options.surface[0] == "keystone":
-        reason = "method cubemap knows no keystone; take another method, or a warp mesh"
-    elif shared and options.surface[0] == "mesh":
+    if options.cubemap and kind in ("keystone", "cylinder"):
+        raise _against_surface(said, f"method cubemap knows no {kind}; take another method, or a warp mesh")
+    if shared and kind == "mesh":
         reason = f"one mesh for two discs, where DOME_STEREO is {options.stereo}; take left or right"
-    else:
-        if shared and options.fade:
-            fade = said["fade"]
-            raise malformed(fade.name, fade.text, f"DOME_STEREO is {options.stereo}", "0 with two discs")
-        return
-    raise malformed(said["surface"].name, said["surface"].text, reason, surfaces.ACCEPTED)
+        raise _against_surface(said, reason)
+    if shared and options.fade:
+        fade = said["fade"]
+        raise malformed(fade.name, fade.text, f"DOME_STEREO is {options.stereo}", "0 with two discs")
+    if kind == "mesh":
+        _check_mesh(Path(str(options.surface[1])), said["surface"])
+    if kind == "cylinder":
+        given = [said[field] for field in _OF_A_DOME if field in said]
+        if options.method == "paper":
+            given.append(said["method"])
+        if given:
+            raise _against_surface(said, f"{given[0].name} is for a dome, and this screen is none")
+
+
+_OF_A_DOME = ("fov", "lens", "seat", "projector", "radius", "disc", "fade")
+"""Settings that mean nothing on another screen."""
+
+
+def _check_mesh(path: Path, said: Said) -> None:
+    """Raise OptionError where the file is no warp mesh."""
+    from domeshim.lens.mesh import MeshError, read_mesh  # noqa: PLC0415 - numpy, as for a lens
+
+    try:
+        read_mesh(path, aspect=1.0)
+    except MeshError as error:
+        raise OptionError(f"{said.name}: {error}") from None
+
+
+def _against_surface(said: Mapping[str, Said], reason: str) -> OptionError:
+    return malformed(said["surface"].name, said["surface"].text, reason, surfaces.ACCEPTED)
 
 
 def _check_places(options: Options, said: Mapping[str, Said]) -> None:

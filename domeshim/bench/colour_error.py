@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from domeshim.bench.edge_error import INNER
 from domeshim.bench.meshes import Floats
-from domeshim.lens.models import Lens
+from domeshim.lens.landing import Lens
 from domeshim.lens.projection import direction_of
 
 

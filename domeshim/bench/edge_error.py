@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from domeshim.bench.meshes import Floats
-from domeshim.lens.models import Lens
+from domeshim.lens.landing import Lens
 from domeshim.lens.projection import disc_of
 
 INNER = 0.99

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -14,9 +15,13 @@ from domeshim.cli.settings import FIELDS, dome_options, options_given, size
 from domeshim.errors import OptionError, ScreenError
 from domeshim.lens.models import lens_of
 from domeshim.lens.pairs import ORDERS, Pair, read_pairs
-from domeshim.window.frame import Frame, Rectangle
+from domeshim.measure.studio import WITHOUT_A_DISPLAY
+from domeshim.window.frame import Frame
 
 if TYPE_CHECKING:
+    from PIL.Image import Image
+
+    from domeshim.driver import Driver
     from domeshim.lens.fit import Fit
     from domeshim.options import Options
 
@@ -133,8 +138,6 @@ def pattern(size: tuple[int, int], output: Path | None, **given: str | None) -> 
 
     In a window, Escape or q ends it; --display covers a display.
     """
-    from domeshim.lens.card import draw_card  # noqa: PLC0415 - Pillow, where it is wanted
-
     options = options_given(False, given)
     wanted = options.frame or size
     if output is None:
@@ -142,24 +145,44 @@ def pattern(size: tuple[int, int], output: Path | None, **given: str | None) -> 
         return
     try:
         output.parent.mkdir(parents=True, exist_ok=True)
-        draw_card(wanted, _squares(wanted, options), options).save(output)
+        _card(wanted, options).save(output)
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) else error
         raise OptionError(f"--output={output}: {reason}; accepted: a picture file, such as a .png") from None
 
 
-def _squares(size: tuple[int, int], options: Options) -> tuple[Rectangle, ...]:
-    return Frame(size, size, stereo=options.stereo).squares
+def _card(size: tuple[int, int], options: Options) -> Image:
+    """The card as the projector gets it."""
+    from PIL.Image import fromarray  # noqa: PLC0415 - where a picture is wanted
+
+    from domeshim.draw.finishing import finishes  # noqa: PLC0415
+    from domeshim.lens.card import draw_card  # noqa: PLC0415
+
+    frame = Frame.of(options, size, size)
+    card = draw_card(frame, options)
+    if not finishes(options):
+        return card
+    os.environ.update(WITHOUT_A_DISPLAY)
+    from domeshim.draw.finished import finished  # noqa: PLC0415 - GL, where it is needed
+
+    return fromarray(finished(np.asarray(card), frame, options))
 
 
 def _show(options: Options, wanted: tuple[int, int]) -> None:
-    from domeshim.lens.card import draw_card  # noqa: PLC0415 - as above
+    from domeshim.draw.finished import finish_now  # noqa: PLC0415 - GL, where there is a window
+    from domeshim.draw.finishing import finishes  # noqa: PLC0415
+    from domeshim.lens.card import draw_card  # noqa: PLC0415
     from domeshim.window.show import show as show_window  # noqa: PLC0415 - GL, where there is a window
 
     def card(size: tuple[int, int]) -> NDArray[np.uint8]:
-        return np.asarray(draw_card(size, _squares(size, options), options))
+        return np.asarray(draw_card(Frame.of(options, size, size), options))
+
+    def finish(driver: Driver, size: tuple[int, int]) -> None:
+        finish_now(driver, Frame.of(options, size, size), options)
 
     try:
-        show_window(card, "domeshim: test card", wanted, options.display)
+        show_window(
+            card, "domeshim: test card", wanted, options.display, finish if finishes(options) else None
+        )
     except ScreenError as error:
         raise ScreenError(f"{error}; --output FILE writes the card without one") from None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from domeshim.shading.recipe import Lighting, Recipe, Scene
+from domeshim.shading.recipe import Lighting, Mapping, Recipe, Scene
 
 _PLACES = {
     "modelview": "on the dome",
@@ -14,13 +14,13 @@ _PLACES = {
 def needs(recipe: Recipe) -> list[str]:
     """What a draw by this recipe needs, the place first."""
     mapping, scene = recipe.mapping, recipe.scene
-    found = [_PLACES[mapping.place], f"method {mapping.method}", f"lens {mapping.lens}"]
+    found = [_PLACES[mapping.place], f"method {mapping.method}", f"lens {_lens(mapping)}"]
     if recipe.patch is not None:
         found.append(f"{recipe.patch.kind} subdivided by {recipe.patch.method}")
     found += [mapping.aim] if mapping.aim != "straight" else []
     found += ["cube's face"] if mapping.face else []
     found += ["an eye beside the middle"] if mapping.beside else []
-    found += ["cone behind cut off"] if mapping.wide else []
+    found += [f"{mapping.clip} behind cut off"] if mapping.clip != "behind" else []
     found += [f"{len(mapping.sides)} sides of the scissor"] if mapping.sides else []
     found += ["raster position"] if mapping.raster else []
     found += _lighting(scene.lighting) if scene.lighting is not None else []
@@ -51,6 +51,10 @@ def left_out(recipe: Recipe) -> list[str]:
         "turning of the dome": recipe.mapping.aim == "straight",
     }
     return [name for name, missing in absent.items() if missing]
+
+
+def _lens(mapping: Mapping) -> str:
+    return mapping.lens[0].rpartition("/")[2]
 
 
 def _lighting(lighting: Lighting) -> list[str]:

@@ -9,9 +9,10 @@ import numpy as np
 
 from domeshim.driver import Driver
 from domeshim.errors import ScreenError
-from domeshim.lens.models import Floats, Lens
+from domeshim.lens.landing import Floats, Lens
 from domeshim.lens.orientation import Orientation
 from domeshim.lens.projection import direction_of, disc_of
+from domeshim.lens.radial import RadialLens
 from domeshim.options import Options
 from domeshim.state.views import View
 from domeshim.window.frame import NO_QUAD, Frame
@@ -62,13 +63,9 @@ class DiscCanvas:
     kind: Literal["disc", "face"] = "disc"
     framebuffer = 0
 
-    def __init__(
-        self, options: Options, frame: Frame, lens: Lens, orientation: Orientation, rim: float
-    ) -> None:
-        """rim: where the picture ends on the disc, 1 the inscribed circle."""
+    def __init__(self, options: Options, frame: Frame, lens: Lens, orientation: Orientation) -> None:
         self._frame = frame
         self._lens = lens
-        self._rim = rim
         self._orientation = orientation
         self.views = tuple(_views(options, frame))
 
@@ -91,7 +88,7 @@ class DiscCanvas:
         """As for Canvas."""
         for view in self.views:
             disc = self._frame.disc_of(np.array([x, y]), view.viewport)
-            if np.hypot(*disc) < self._rim:
+            if self._lens.within(disc):
                 return direction_of(disc, self._lens, self._orientation), 1.0
         return None
 
@@ -122,17 +119,17 @@ def canvas_of(
     frame: Frame,
     lens: Lens,
     orientation: Orientation,
-    rim: float,
     say: Callable[[str], None],
 ) -> Canvas:
-    """The canvas that the method draws onto; rim: where the picture ends on the disc; say: tells the user.
+    """The canvas that the method draws onto; say: tells the user.
 
     Raises DriverError where this GL cannot have it, ScreenError where the window has not what it takes.
     """
     if not options.cubemap:
         if options.stereo == "quad" and not driver.integer(_STEREO):
             raise ScreenError(NO_QUAD)
-        return DiscCanvas(options, frame, lens, orientation, rim)
+        return DiscCanvas(options, frame, lens, orientation)
+    assert isinstance(lens, RadialLens), "options.py takes no other screen with it"
     from domeshim.draw.cubemap import CubeCanvas  # noqa: PLC0415 - moderngl for this method alone
 
-    return CubeCanvas(driver, options, frame, lens, orientation, rim, say)
+    return CubeCanvas(driver, options, frame, lens, orientation, say)

@@ -38,5 +38,5 @@ class TestCard:
 
             from domeshim.lens.card import draw_card  # noqa: PLC0415
 
-            self._drawn = frame, np.asarray(draw_card(frame.size, frame.squares, self._options))
+            self._drawn = frame, np.asarray(draw_card(frame, self._options))
         paste(self._driver, self._drawn[1])

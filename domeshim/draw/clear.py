@@ -11,8 +11,9 @@ from domeshim.draw.canvas import Canvas
 from domeshim.draw.over import way_cleared
 from domeshim.driver import Driver
 from domeshim.lens.keystone import WHOLE, Keystone
-from domeshim.lens.models import Lens
+from domeshim.lens.landing import Lens
 from domeshim.lens.orientation import Orientation
+from domeshim.lens.radial import RadialLens
 from domeshim.shading.compose import Source
 from domeshim.shading.program import Program
 from domeshim.shading.snippets import snippet
@@ -29,13 +30,11 @@ class PartClear:
     """Clears parts of one context's dome."""
 
     def __init__(
-        self, driver: Driver, lens: Lens, fov: float, orientation: Orientation, keystone: Keystone | None
+        self, driver: Driver, lens: Lens, orientation: Orientation, keystone: Keystone | None
     ) -> None:
-        """fov: the dome's, degrees."""
         self._keystone = keystone or Keystone(WHOLE)
         self._driver = driver
         self._lens = lens
-        self._half = float(np.radians(fov / 2))
         self._orientation = orientation
         self._program: Program | None = None
 
@@ -73,7 +72,13 @@ class PartClear:
         gl = self._driver
         if self._program is None:
             seen_along = "aim/seen_seated" if self._orientation.off_centre else "aim/seen_centred"
-            disc = (f"lens/{self._lens.name}", seen_along, "surface/keystone", "frame/clear.vert")
+            disc = (
+                *self._lens.snippets,
+                self._lens.cells,
+                seen_along,
+                "surface/keystone",
+                "frame/clear.vert",
+            )
             names = disc if kind == "disc" else ("frame/clear_face.vert",)
             vertex = Source.join((name, snippet(name)) for name in names)
             fragment = Source.join([("frame/clear.frag", snippet("frame/clear.frag"))])
@@ -87,7 +92,8 @@ class PartClear:
             self._program.set("domeLens", self._lens.uniform)
             for uniform, values in self._orientation.uniforms:
                 self._program.set(uniform, values)
-            self._program.set("domeHalf", (self._half,))
+            if isinstance(self._lens, RadialLens):
+                self._program.set("domeHalf", (self._lens.half,))
             self._program.set("domeKeystone", self._keystone.uniform)
         self._program.set("domeDepth", (2 * gl.doubles(_DEPTH_CLEAR_VALUE, 1)[0] - 1,))
         self._program.set("domeSeen", tuple(seen.T.ravel()))

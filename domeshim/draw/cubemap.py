@@ -13,8 +13,9 @@ from domeshim.draw.tiles import Tile, packed
 from domeshim.driver import Driver
 from domeshim.errors import DriverError
 from domeshim.lens.faces import face_size, faces_of
-from domeshim.lens.models import Floats, Lens
+from domeshim.lens.landing import Floats
 from domeshim.lens.orientation import Orientation
+from domeshim.lens.radial import RadialLens
 from domeshim.options import Options
 from domeshim.state.perspective import planar
 from domeshim.state.views import View
@@ -40,12 +41,11 @@ class CubeCanvas:
         driver: Driver,
         options: Options,
         frame: Frame,
-        lens: Lens,
+        lens: RadialLens,
         orientation: Orientation,
-        rim: float,
         say: Callable[[str], None],
     ) -> None:
-        """The window must be current. rim: where the picture ends on the disc; say: tells the user.
+        """The window must be current. say: tells the user.
 
         Raises DriverError where this GL has no framebuffer for it.
         """
@@ -63,7 +63,7 @@ class CubeCanvas:
         self.views, size = self._fitting()
         with restored(driver):
             self._atlas = Atlas(driver, size)
-            self._resampling = Resampling(driver, self._atlas, self.views, lens, orientation, rim)
+            self._resampling = Resampling(driver, self._atlas, self.views, lens, orientation)
         self.framebuffer = self._atlas.framebuffer
         self._depth: Depth = (0.0, 0.0)
         self._fresh = self._straight = False

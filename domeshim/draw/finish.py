@@ -43,9 +43,8 @@ class Finish:
             self._mesh: Any = self._context.vertex_array(self._program, content, index)
             self._picture: Any = self._context.external_texture(self._copy.value, self._size, 4, 0, "f1")
             self._held = (self._mesh, content[0][0], index, self._program, self._context)
-        x, y, side, _ = finishing.frame.square
-        width, height = self._size
-        self._program["part"].value = x / width, y / height, side / width, side / height
+        part = np.reshape(finishing.frame.square, (2, 2)) / self._size
+        self._program["part"].value = tuple(part.ravel().tolist())
         self._program["fade"].value = finishing.fade
         self._program["tone"].value = finishing.tone
         self._program["picture"].value = 0

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from domeshim.lens.mesh import WarpMesh, read_mesh
-from domeshim.lens.models import lens_of, rim_radius
+from domeshim.lens.models import lens_of
 from domeshim.options import Options
 from domeshim.window.frame import Frame
 
@@ -48,9 +48,8 @@ class Finishing:
         """The radii on the disc where the picture begins to fade and where it is black."""
         options = self.options
         lens = lens_of(*options.lens, options.fov)
-        rim = rim_radius(lens, options.fov)
         begins = float(lens.radius(np.radians(max(options.fov / 2 - options.fade, 0.0))))
-        return (min(begins, rim), rim) if options.fade else (1.0, 0.0)
+        return (min(begins, lens.rim), lens.rim) if options.fade else (1.0, 0.0)
 
     @property
     def tone(self) -> tuple[float, float]:
@@ -64,20 +63,11 @@ class Finishing:
         """
         size = np.array(self.frame.size, float)
         picture = self.mesh.shown_at((place / size * 2 - 1)[None])[0]
-        x, y, side, _ = self.frame.square
-        return place if np.isnan(picture).any() else picture * side + (x, y)
+        x, y, width, height = self.frame.square
+        return place if np.isnan(picture).any() else picture * (width, height) + (x, y)
 
     def _whole_frame(self) -> WarpMesh:
-        x, y, side, _ = self.frame.square
+        x, y, width, height = self.frame.square
         corners = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], float)
-        picture = (corners * self.frame.size - (x, y)) / side
+        picture = (corners * self.frame.size - (x, y)) / (width, height)
         return WarpMesh(corners * 2 - 1, picture, np.ones(4), np.array([[0, 1, 2], [0, 2, 3]]))
-
-
-def check_surface(options: Options, size: tuple[int, int]) -> None:
-    """Read what the surface needs, before any window opens.
-
-    Raises MeshError.
-    """
-    if options.surface[0] == "mesh":
-        _ = Finishing(options, Frame(size, size)).mesh

@@ -11,8 +11,8 @@ from domeshim.draw.attached import attached
 from domeshim.draw.over import way_cleared
 from domeshim.draw.transfer import plain_transfer
 from domeshim.driver import Driver
-from domeshim.lens.models import Lens
 from domeshim.lens.orientation import Orientation
+from domeshim.lens.radial import RadialLens
 from domeshim.shading.snippets import snippet
 
 if TYPE_CHECKING:
@@ -35,13 +35,11 @@ class Resampling:
         driver: Driver,
         atlas: Atlas,
         views: tuple[View, ...],
-        lens: Lens,
+        lens: RadialLens,
         orientation: Orientation,
-        rim: float,
     ) -> None:
-        """rim: where the picture ends on the disc, 1 the inscribed circle."""
         self._driver = driver
-        self._rim = rim
+        self._rim = lens.rim
         self._context = attached(driver)
         seen_along = "aim/seen_seated" if orientation.off_centre else "aim/seen_centred"
         vertex = _VERSION + snippet("cube/window.vert")
@@ -50,7 +48,7 @@ class Resampling:
         self._program = program
         self._triangle = self._context.vertex_array(self._program, [])
         with plain_transfer(driver):
-            angles = self._context.texture((_STEPS, 1), 1, angle_table(lens, rim).tobytes(), dtype="f4")
+            angles = self._context.texture((_STEPS, 1), 1, angle_table(lens).tobytes(), dtype="f4")
         held: list[Any] = [
             self._context.external_texture(t.value, atlas.size, 4, 0, "f1") for t in atlas.textures
         ]
@@ -104,6 +102,6 @@ class Resampling:
             held.release()
 
 
-def angle_table(lens: Lens, rim: float, steps: int = _STEPS) -> np.ndarray[Any, np.dtype[np.float32]]:
+def angle_table(lens: RadialLens, steps: int = _STEPS) -> np.ndarray[Any, np.dtype[np.float32]]:
     """(steps,): the lens's angle, radians, at even steps of the radius from 0 to the rim."""
-    return lens.angle(np.linspace(0.0, rim * (1 - 1e-12), steps)).astype(np.float32)
+    return lens.angle(np.linspace(0.0, lens.rim * (1 - 1e-12), steps)).astype(np.float32)

@@ -38,8 +38,10 @@ class Rim:
     def _keystone(self) -> Program:
         return Program(self._driver, _source("frame/whole.vert"), _source("frame/rim_keystone.frag"))
 
-    def draw(self, frame: Frame, radius: float) -> None:
-        """Blacken all of the frame outside the disc; radius: of the picture, 1 the inscribed circle."""
+    def draw(self, frame: Frame, radius: float | None) -> None:
+        """Blacken all outside the disc; radius: of the picture, 1 the inscribed circle, None: it has none."""
+        if radius is None:
+            return
         gl = self._driver
         with way_cleared(gl):
             gl.glColorMask(1, 1, 1, 1)

@@ -10,7 +10,7 @@ from functools import cached_property
 import numpy as np
 
 from domeshim.lens.faces import BORDER, Face
-from domeshim.lens.models import Floats
+from domeshim.lens.landing import Floats
 from domeshim.state.views import View
 from domeshim.window.frame import Rectangle
 

@@ -11,7 +11,6 @@ import numpy as np
 from domeshim.errors import DriverError, OptionError
 from domeshim.intercept.draws import Draws
 from domeshim.intercept.window_dome import WindowDome
-from domeshim.lens.keystone import keystone_of
 from domeshim.state.comfort import looking_at
 from domeshim.state.context import DomeContext
 from domeshim.state.region import Region
@@ -173,17 +172,8 @@ def _frame(session: Session, driver: Driver, window: Window, program_size: tuple
     Raises DriverError where it is larger than what this GL draws to.
     """
     inside = window.inside if isinstance(window, SubWindow) else None
-    options = session.options
     most = min(driver.integers(_MAX_VIEWPORT_DIMS, 2))
-    frame = Frame(
-        window.size,
-        program_size,
-        inside,
-        options.stereo,
-        options.disc,
-        keystone_of(options),
-        aside=options.hud == "side",
-    )
+    frame = Frame.of(session.options, window.size, program_size, inside)
     if window.part is not None:
         return frame.cut(window.part, most)
     if frame.square[2] > most:

@@ -51,7 +51,7 @@ class WindowDome:
                 "DOME_MAX_TURN: no gluLookAt tells where the program looks; its view turns freely"
             )
         context.settle()
-        self.rim.draw(context.frame, context.rim)
+        self.rim.draw(context.frame, context.lens.rim)
         self.card.draw(context.frame)
 
     def finish(self) -> None:

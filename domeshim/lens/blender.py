@@ -10,7 +10,8 @@ import numpy as np
 from domeshim.lens.catalogue import Numbers
 from domeshim.lens.inversion import inverse, stops_rising
 from domeshim.lens.knots import MOST, Knotted
-from domeshim.lens.models import Floats, LensError
+from domeshim.lens.landing import Floats
+from domeshim.lens.models import LensError
 
 _SENSOR = 36.0
 """Width of Blender's default sensor, millimetres."""

@@ -11,8 +11,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from domeshim.lens.models import Floats, Lens
+from domeshim.lens.landing import Floats
 from domeshim.lens.orientation import Orientation
+from domeshim.lens.radial import RadialLens
 
 Axes = tuple[tuple[int, int, int], ...]
 _AXES: tuple[Axes, ...] = (
@@ -55,7 +56,7 @@ def faces_of(fov: float, orientation: Orientation) -> list[Face]:
     return [Face(axes, reach, _part(places, reach)) for axes, places in shown.items()]
 
 
-def face_size(face: Face, lens: Lens, fov: float, diameter: float) -> int:
+def face_size(face: Face, lens: RadialLens, fov: float, diameter: float) -> int:
     """Pixels across a face such that its middle is as fine as the dome's picture there.
 
     diameter: of the disc, pixels. A face has size / (2 reach) pixels a radian in its middle; the disc has its

@@ -8,13 +8,14 @@ from typing import ClassVar
 import numpy as np
 
 from domeshim.lens.inversion import inverse
-from domeshim.lens.models import Floats, Lens
+from domeshim.lens.landing import Floats
+from domeshim.lens.radial import RadialLens
 
 MOST = 64
 """So many knots the snippet holds."""
 
 
-class Knotted(Lens):
+class Knotted(RadialLens):
     """A lens by its radius and slope at knots: a cubic (Hermite's) between two of them."""
 
     name: ClassVar[str] = "knots"

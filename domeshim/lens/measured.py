@@ -9,7 +9,8 @@ import numpy as np
 
 from domeshim.lens.catalogue import Numbers
 from domeshim.lens.knots import MOST, Knotted, rising_slopes
-from domeshim.lens.models import Floats, LensError
+from domeshim.lens.landing import Floats
+from domeshim.lens.models import LensError
 
 _CLOSE = 1e-3
 """Where a table has more points than the curve knots, it may miss them by so much radius."""

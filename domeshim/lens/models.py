@@ -4,90 +4,23 @@ from __future__ import annotations
 
 import math
 import pkgutil
-from abc import ABC, abstractmethod
+from abc import abstractmethod
 from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from domeshim.lens.catalogue import Numbers, entry_of
-
-Floats = NDArray[np.float64]
+from domeshim.lens.landing import Floats
+from domeshim.lens.radial import RadialLens
 
 
 class LensError(ValueError):
     """A lens cannot be what was asked of it; says why."""
 
 
-class Lens(ABC):
-    """An angle's radius on the disc, and back; hashable, so that what follows from it is found once.
-
-    A model holds from the axis to the lens's end, and rises there. Beyond its end a lens goes straight on,
-    for what is drawn may reach there, and must not fold back into the picture.
-    """
-
-    name: ClassVar[str]
-    """The snippet's name in glsl/lens."""
-    fov: float
-    """Full angle, degrees: the picture ends here."""
-
-    @classmethod
-    @abstractmethod
-    def of(cls, numbers: Numbers, fov: float) -> Lens:
-        """The lens with these numbers of the catalogue's.
-
-        Raises LensError where the model cannot do so; says why.
-        """
-
-    @property
-    @abstractmethod
-    def uniform(self) -> tuple[float, ...]:
-        """The values of the snippet's domeLens."""
-
-    @property
-    def end(self) -> float:
-        """The angle from the axis up to which the model holds, radians: half the field of view."""
-        return math.radians(self.fov) / 2
-
-    def radius(self, phi: Floats) -> Floats:
-        """phi: (...) radians from the axis -> (...) radius, 1 at the frame's inscribed circle."""
-        phi = np.asarray(phi, float)
-        known = np.minimum(phi, self.end)
-        radius: Floats = np.asarray(self._radius(known)) + self.slope(np.array(self.end)) * (phi - known)
-        return radius
-
-    def slope(self, phi: Floats) -> Floats:
-        """phi: (...) radians from the axis -> (...) how much radius one more radian is."""
-        return self._slope(np.minimum(np.asarray(phi, float), self.end))
-
-    def angle(self, radius: Floats) -> Floats:
-        """radius: (...) -> (...) radians from the axis; nan where the lens never reaches that far."""
-        radius = np.asarray(radius, float)
-        last = self._radius(np.array(self.end))
-        within = radius <= last * (1 + 1e-9)
-        return np.where(within, self._angle(np.clip(radius, 0.0, last)), np.nan)
-
-    @property
-    def _edge(self) -> tuple[float, float]:
-        """The uniform's first two values: where the lens goes straight on, and how steeply."""
-        return self.end, float(self.slope(np.array(self.end)))
-
-    @abstractmethod
-    def _radius(self, phi: Floats) -> Floats:
-        """The radius up to the end."""
-
-    @abstractmethod
-    def _slope(self, phi: Floats) -> Floats:
-        """The slope up to the end."""
-
-    @abstractmethod
-    def _angle(self, radius: Floats) -> Floats:
-        """The angle of radii that the lens reaches."""
-
-
 @dataclass(frozen=True)
-class Equidistant(Lens):
+class Equidistant(RadialLens):
     """The radius grows evenly with the angle and is 1 at half the field of view."""
 
     fov: float
@@ -113,7 +46,7 @@ class Equidistant(Lens):
         return radius * self.end
 
 
-class _Formula(Lens):
+class _Formula(RadialLens):
     """A lens by one trigonometric function, scaled to reach the radius 1 at half the field of view."""
 
     widest: ClassVar[float]
@@ -124,7 +57,7 @@ class _Formula(Lens):
         raise NotImplementedError
 
     @classmethod
-    def of(cls, numbers: Numbers, fov: float) -> Lens:  # noqa: ARG003 - it takes none
+    def of(cls, numbers: Numbers, fov: float) -> RadialLens:  # noqa: ARG003 - it takes none
         """The lens of this field of view.
 
         Raises LensError where the function does not reach that far.
@@ -213,15 +146,10 @@ class Orthographic(_Formula):
         return np.arcsin(np.minimum(radius / self._scale, 1.0))
 
 
-def lens_of(name: str, numbers: Numbers, fov: float) -> Lens:
-    """The lens that the options name; fov in degrees.
+def lens_of(name: str, numbers: Numbers, fov: float) -> RadialLens:
+    """The lens of this name in the catalogue; fov in degrees.
 
     Raises LensError where there is none such.
     """
-    model: type[Lens] = pkgutil.resolve_name(f"domeshim.lens.{entry_of(name).model}")
+    model: type[RadialLens] = pkgutil.resolve_name(f"domeshim.lens.{entry_of(name).model}")
     return model.of(numbers, fov)
-
-
-def rim_radius(lens: Lens, fov: float) -> float:
-    """Where the picture ends on the disc: half the field of view, at most the inscribed circle."""
-    return min(1.0, float(lens.radius(np.array(np.radians(fov / 2)))))

@@ -11,10 +11,10 @@ from domeshim.errors import DomeError, OptionError
 
 if TYPE_CHECKING:
     from domeshim.lens.fit import Fit
-    from domeshim.lens.models import Lens
+    from domeshim.lens.radial import RadialLens
 
 
-def plot_lens(lens: Lens, title: str, output: Path) -> None:
+def plot_lens(lens: RadialLens, title: str, output: Path) -> None:
     """Write a plot of the lens's radius and slope against the angle.
 
     Raises DomeError where matplotlib is missing or the file cannot be written.

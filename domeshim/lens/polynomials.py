@@ -10,10 +10,12 @@ import numpy as np
 
 from domeshim.lens.catalogue import Numbers
 from domeshim.lens.inversion import inverse, stops_rising
-from domeshim.lens.models import Floats, Lens, LensError
+from domeshim.lens.landing import Floats
+from domeshim.lens.models import LensError
+from domeshim.lens.radial import RadialLens
 
 
-class _Series(Lens):
+class _Series(RadialLens):
     """radius = sum c_i phi^i from i = 1; never 0 beyond the axis."""
 
     @property

@@ -8,11 +8,16 @@ from typing import Literal
 
 ACCEPTED = (
     "dome, keystone:x0,y0,..,x3,y3 (the picture's lower left, lower right, upper right and upper left "
-    "corner, each 0 to 1), or the file of a warp mesh: Paul Bourke's kind, or .obj"
+    "corner, each 0 to 1), cylinder:ANGLE[,BOTTOM,TOP] (degrees: over 0 to 340; elevations of its edges, -75 "
+    "to 75), or the file of a warp mesh: Paul Bourke's kind, or .obj"
 )
 
-SurfaceName = tuple[Literal["dome", "keystone", "mesh"], tuple[float, ...] | str]
-"""A surface's kind, and its corners or its file."""
+WIDEST, STEEPEST = 340.0, 75.0
+"""Of a cylindrical screen, degrees: a gap is left behind, and towards the poles it would be ever higher."""
+_USUAL_EDGES = (-30.0, 30.0)
+
+SurfaceName = tuple[Literal["dome", "keystone", "cylinder", "mesh"], tuple[float, ...] | str]
+"""A surface's kind, and its corners, its angles or its file."""
 DOME: SurfaceName = ("dome", ())
 
 
@@ -26,10 +31,29 @@ def surface_named(text: str, folder: Path) -> SurfaceName:
         return DOME
     if kind.lower() == "keystone":
         return "keystone", _corners(numbers)
+    if kind.lower() == "cylinder":
+        return "cylinder", _angles(numbers)
     path = folder / text
     if path.is_file():
         return "mesh", str(path)
     raise ValueError("not known, and no file of that name")
+
+
+def _angles(text: str) -> tuple[float, float, float]:
+    try:
+        angles = [float(number) for number in text.split(",")]
+    except ValueError:
+        raise ValueError("not numbers") from None
+    if len(angles) not in (1, 3):
+        raise ValueError(f"{len(angles)} numbers, not one or three")
+    angle, bottom, top = angles if len(angles) == 3 else (*angles, *_USUAL_EDGES)
+    if not 0 < angle <= WIDEST:
+        raise ValueError(f"an angle that is not over 0 to {WIDEST:g} degrees")
+    if bottom >= top:
+        raise ValueError("its lower edge is not below its upper one")
+    if not (bottom >= -STEEPEST and top <= STEEPEST):
+        raise ValueError(f"an edge beyond {STEEPEST:g} degrees")
+    return angle, bottom, top
 
 
 def _corners(text: str) -> tuple[float, ...]:

@@ -11,9 +11,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from domeshim.lens.models import Lens, rim_radius
 from domeshim.lens.orientation import Orientation
 from domeshim.lens.projection import direction_of, disc_of
+from domeshim.lens.radial import RadialLens
 from domeshim.measure.feedback import Caught
 
 Floats = NDArray[np.float64]
@@ -30,7 +30,7 @@ _SAMPLES = 4001
 class Sight:
     """What decides where a point of eye space lands, and whether it is seen."""
 
-    lens: Lens
+    lens: RadialLens
     fov: float
     orientation: Orientation
     depth: tuple[float, float]
@@ -39,7 +39,7 @@ class Sight:
     @property
     def rim(self) -> float:
         """Where the picture ends, 1 at the inscribed circle."""
-        return rim_radius(self.lens, self.fov)
+        return self.lens.rim
 
     def disc(self, points: Floats) -> Floats:
         """(..., 4) homogeneous points -> (..., 2) on the disc."""

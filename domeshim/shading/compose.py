@@ -106,6 +106,12 @@ def add_surface(draft: Draft, mapping: Mapping) -> None:
         draft.add("gl_Position = onSurface(gl_Position);")
 
 
+def add_lens(draft: Draft, mapping: Mapping) -> None:
+    """Say where a direction lands."""
+    for name in ("bend/face",) if mapping.face else mapping.lens:
+        draft.need(name)
+
+
 def _position(draft: Draft, recipe: Recipe) -> None:
     mapping = recipe.mapping
     draft.need(f"place/{mapping.place}")
@@ -116,7 +122,7 @@ def _position(draft: Draft, recipe: Recipe) -> None:
     if mapping.aim != "straight":
         draft.need(f"aim/{mapping.aim}")
         draft.add("place = aimed(place);")
-    draft.need("bend/face" if mapping.face else f"lens/{mapping.lens}")
+    add_lens(draft, mapping)
     if mapping.method == "paper":
         draft.need("bend/paper")
         draft.add("gl_Position = bent(place);")
@@ -127,7 +133,7 @@ def _position(draft: Draft, recipe: Recipe) -> None:
         draft.add("gl_Position = bent(place);")
     else:
         draft.need("bend/vertex")
-        draft.need("clip/cone" if mapping.wide else "clip/behind")
+        draft.need(f"clip/{mapping.clip}")
         draft.add(
             "gl_Position = bent(place);", f"gl_ClipDistance[{recipe.clip_distances[0]}] = inFront(place);"
         )

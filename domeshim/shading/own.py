@@ -10,6 +10,7 @@ import re
 from dataclasses import dataclass
 from typing import Literal
 
+from domeshim.shading.recipe import RADIAL, Clip
 from domeshim.shading.snippets import snippet
 
 Stage = Literal["vertex", "evaluation", "geometry"]
@@ -42,17 +43,16 @@ void domeEmit() {
 }
 #define EmitVertex domeEmit
 """
-_NAMES = re.compile(r"\b(beside|bent|onFace|lensRadius|aimed|inFront|insideViewport|onSurface)\b")
+_NAMES = re.compile(r"\b(beside|bent|landed|onFace|lensRadius|aimed|inFront|insideViewport|onSurface)\b")
 
 
 @dataclass(frozen=True)
 class Landing:
     """How a session's dome takes a position: what is the same for all of a program's draws."""
 
-    lens: str = "equidistant"
+    lens: tuple[str, ...] = RADIAL
     aim: Literal["straight", "turned", "seated"] = "straight"
-    wide: bool = False
-    """A field of view over 180 degrees."""
+    clip: Clip = "behind"
     face: bool = False
     """Onto the faces of a cube."""
     beside: bool = False
@@ -120,9 +120,9 @@ def _joined(version: str, text: str, stage: Stage, landing: Landing, *, cut: boo
 
 def _before(stage: Stage, landing: Landing, *, cut: bool, planes: Planes) -> str:
     """What stands before the program's first declaration: our functions, and its main()'s new name."""
-    names = ["own/land", f"lens/{landing.lens}", "bend/vertex", "bend/panel"]
+    names = ["own/land", *landing.lens, "bend/vertex", "bend/panel"]
     if landing.face:
-        names[1:] = ["bend/face", "bend/face_point", "bend/face_panel"]
+        names = ["own/land", "bend/face", "bend/face_point", "bend/face_panel"]
     if landing.beside:
         names.append("eye/beside")
     if landing.aim != "straight":
@@ -130,9 +130,7 @@ def _before(stage: Stage, landing: Landing, *, cut: bool, planes: Planes) -> str
     if landing.keystone:
         names.append("surface/keystone")
     if cut:
-        names += (
-            ["clip/panel"] if landing.face else ["clip/cone" if landing.wide else "clip/behind", "clip/panel"]
-        )
+        names += ["clip/panel"] if landing.face else [f"clip/{landing.clip}", "clip/panel"]
     if planes == "clip vertex":
         names.append("own/planes")
     parts = [_NAMES.sub(lambda m: f"dome{m[0][0].upper()}{m[0][1:]}", snippet(name)) for name in names]

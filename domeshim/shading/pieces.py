@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from domeshim.shading.compose import Draft, Source, add_attributes, add_surface
+from domeshim.shading.compose import Draft, Source, add_attributes, add_lens, add_surface
 from domeshim.shading.recipe import Patch, Recipe
 
 
@@ -51,7 +51,7 @@ def add_place(draft: Draft, recipe: Recipe) -> None:
     aim = recipe.mapping.aim
     if aim != "straight":
         draft.need(f"aim/{aim}")
-    draft.need("clip/cone" if recipe.mapping.wide else "clip/behind")
+    draft.need(f"clip/{recipe.mapping.clip}")
     # From a seat, what the lens leaves out need not be convex: no corner tells of a whole patch there.
     draft.need(f"tessellate/reach_{'all' if aim == 'seated' else 'turned' if aim == 'turned' else 'dome'}")
 
@@ -90,7 +90,7 @@ def add_vertex(draft: Draft, recipe: Recipe, shares: str) -> None:
 
 def _add_position(draft: Draft, recipe: Recipe) -> None:
     mapping, distances = recipe.mapping, recipe.clip_distances
-    draft.need(f"lens/{mapping.lens}")
+    add_lens(draft, mapping)
     ray = "place"
     if mapping.beside:
         draft.need("eye/beside")

@@ -97,18 +97,22 @@ class Scene:
     point_attenuation: bool = False
 
 
+Clip = Literal["behind", "cone", "wedge"]
+RADIAL = ("lens/equidistant", "bend/radial")
+
+
 @dataclass(frozen=True)
 class Mapping:
     """How the scene gets onto the disc."""
 
     method: Literal["vertex", "paper"] = "vertex"
-    lens: str = "equidistant"
-    """The snippet in glsl/lens."""
+    lens: tuple[str, ...] = RADIAL
+    """The snippets that say where a direction lands."""
     place: Literal["modelview", "view", "panel"] = "modelview"
     aim: Literal["straight", "turned", "seated"] = "straight"
     """The snippet in glsl/aim, if any: how the dome stands to the program's view."""
-    wide: bool = False
-    """What is left out behind is a cone, not a half space."""
+    clip: Clip = "behind"
+    """The snippet in glsl/clip that leaves out what is behind: a half space, a cone, a wedge."""
     near_behind: bool = False
     """Places close to straight behind are seen: edges there are cut finer."""
     beside: bool = False

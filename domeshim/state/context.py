@@ -16,7 +16,8 @@ import numpy as np
 
 from domeshim.draw.canvas import canvas_of
 from domeshim.driver import Driver
-from domeshim.lens.models import Lens, lens_of, rim_radius
+from domeshim.lens.chosen import lens_chosen
+from domeshim.lens.landing import Lens
 from domeshim.lens.orientation import Orientation
 from domeshim.options import Options
 from domeshim.shading.program import Program
@@ -63,8 +64,7 @@ class DomeContext:
         """main: that of the window around this one, if there is one."""
         self.driver = driver
         self._frame = frame
-        self.lens: Lens = lens_of(*options.lens, options.fov)
-        self.rim = rim_radius(self.lens, options.fov)
+        self.lens: Lens = lens_chosen(options)
         self.orientation = Orientation.of(options)
         self.placer = Placer(options, main)
         self.scene = SceneState(driver)
@@ -83,7 +83,7 @@ class DomeContext:
         self._seen: Seen | None = None
         self._raster = False
         self._worn = Worn(driver)
-        self.canvas = canvas_of(driver, options, frame, self.lens, self.orientation, self.rim, self.say_once)
+        self.canvas = canvas_of(driver, options, frame, self.lens, self.orientation, self.say_once)
         self._raster_points = RasterPoints(driver, self._worn)
         self._patch: Patch | None = None
 
@@ -303,7 +303,7 @@ class DomeContext:
         if frame != self._frame:
             self.canvas.close()
             self.canvas = canvas_of(
-                self.driver, self._options, frame, self.lens, self.orientation, self.rim, self.say_once
+                self.driver, self._options, frame, self.lens, self.orientation, self.say_once
             )
         self._frame = frame
         self._projection_stale = True

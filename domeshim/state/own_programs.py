@@ -10,7 +10,7 @@ import numpy as np
 from domeshim.driver import Driver
 from domeshim.lens.detail import cone
 from domeshim.lens.keystone import Keystone
-from domeshim.lens.models import Lens
+from domeshim.lens.landing import Lens
 from domeshim.lens.orientation import Orientation
 from domeshim.options import Options
 from domeshim.shading.exchange import OwnProgram, link
@@ -39,13 +39,12 @@ class OwnPrograms:
         self._driver = driver
         self._lens = lens
         self._orientation = orientation.turned_only if options.cubemap else orientation
-        self._fov = np.radians(options.fov)
         aim = self._orientation.aim
         self._keystone = keystone
         self._landing = Landing(
-            lens.name,
+            lens.snippets,
             aim,
-            wide=options.fov > 180,
+            clip=lens.clip(exact=False),
             face=options.cubemap,
             beside=options.stereo != "off",
             keystone=self._keystone is not None,
@@ -147,8 +146,8 @@ class OwnPrograms:
             own.set(uniform, values)
         if self._keystone is not None:
             own.set("domeKeystone", self._keystone.uniform)
-        if self._landing.wide and not face:
-            own.set("domeRim", cone(np.pi - self._fov / 2))
+        if self._landing.clip != "behind" and not face:
+            own.set("domeRim", cone(self._lens.left_out(np.inf)))
         own.set("domeEdges", edges.bounds)
         if not own.cut:
             return ()

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from domeshim.lens.models import Floats, Lens
+from domeshim.lens.landing import Floats, Lens
 from domeshim.lens.orientation import STRAIGHT, Orientation
 from domeshim.lens.projection import direction_of, disc_of
 from domeshim.state.perspective import depth_range
@@ -33,8 +33,6 @@ class Sight:
     view: View
     frame: Frame
     lens: Lens
-    rim: float
-    """Where the picture ends on the disc, 1 the inscribed circle."""
     orientation: Orientation = STRAIGHT
     paper: bool = False
     """Drawn by the paper's own method: its depth is another."""
@@ -64,17 +62,13 @@ class Sight:
 
     def directions_on_dome(self, places: NDArray[np.floating]) -> Floats:
         """Places of the frame -> (..., 3) what is seen there, unit vectors in the program's eye space."""
-        disc = self.frame.disc_of(places)
-        radius = np.hypot(disc[..., 0], disc[..., 1])
-        within = self.rim * (1 - 1e-9)
-        disc = disc * (within / np.maximum(radius, within))[..., None]
+        disc = self.lens.nearest(self.frame.disc_of(places))
         seen: Floats = direction_of(disc, self.lens, self.orientation) @ self.view.turn
         return seen
 
     def within(self, places: NDArray[np.floating]) -> NDArray[np.bool_]:
         """Which places of the frame lie on the dome's picture: (...)."""
-        disc = self.frame.disc_of(places)
-        return np.asarray(np.hypot(disc[..., 0], disc[..., 1]) <= self.rim)
+        return self.lens.within(self.frame.disc_of(places))
 
     def monitor_depth(self, depth: Floats, directions: Floats) -> Floats:
         """What the monitor's depth buffer would hold, 0 to 1, where the dome's holds depth.

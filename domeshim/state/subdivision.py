@@ -8,8 +8,8 @@ from typing import Literal, NamedTuple
 
 from domeshim.draw.split import Limit
 from domeshim.driver import Driver
-from domeshim.lens.detail import least_from_behind, pieces_per_radian, straight_behind
-from domeshim.lens.models import Lens
+from domeshim.lens.detail import pieces_per_radian, straight_behind
+from domeshim.lens.landing import Lens
 from domeshim.lens.orientation import Orientation
 from domeshim.options import Options
 from domeshim.shading.geometry import most_pieces
@@ -68,15 +68,18 @@ class Tolerance:
     ) -> None:
         self._method = method
         self._always = options.method in ("tessellate", "geometry")
-        radius = frame.square[2] / 2 * (frame.keystone.stretch if frame.keystone else 1.0)
-        self.detail = pieces_per_radian(lens, options.fov, radius, options.tolerance, orientation)
+        _, _, width, height = frame.square
+        radius = width / 2 * (frame.keystone.stretch if frame.keystone else 1.0)
+        shape = (1.0, height / width)
+        self.detail = pieces_per_radian(lens, radius, options.tolerance, orientation, shape)
         """How many pieces an arc of one radian needs that stays one radian away from straight behind."""
         x, y, z = straight_behind(orientation).tolist()
         self.aft: tuple[float, float, float] = (x, y, z)
         """The direction straight behind, in eye space."""
-        self.left_out = least_from_behind(options.fov, self.detail)
+        self.left_out = lens.left_out(self.detail)
         """The angle from straight behind, radians, within which the lens draws nothing."""
-        self.least = min(self.left_out * (_SEATED if orientation.off_centre else 1.0), 1.0)
+        least = self.left_out * (_SEATED if orientation.off_centre else 1.0)
+        self.least = min(least, 1.0) if lens.singular else 1.0
         """The same as the viewer sees it, where it makes edges be cut finer, else 1."""
         quick = not self._always and self.least == 1
         whole = min(1 / self.detail, math.pi / 2) if quick else 0.0

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from domeshim.driver import Driver
 from domeshim.lens.detail import cone
 from domeshim.lens.keystone import Keystone
-from domeshim.lens.models import Lens
+from domeshim.lens.landing import Lens
 from domeshim.lens.orientation import Orientation
 from domeshim.options import Options
 from domeshim.shading.compose import compose
@@ -140,11 +140,11 @@ class Wardrobe:
         paper = self._options.method == "paper" and place != "panel"
         mapping = Mapping(
             method="paper" if paper else "vertex",
-            lens=self._lens.name,
+            lens=self._lens.snippets,
             place=place,
             aim=self._orientation.aim,
-            wide=self._options.fov > 180 or self._options.method != "vertex",
-            near_behind=self._options.fov > 180 or self._orientation.off_centre,
+            clip=self._lens.clip(exact=self._options.method != "vertex"),
+            near_behind=self._lens.singular and (self._options.fov > 180 or self._orientation.off_centre),
             face=self._options.cubemap,
             beside=self._options.stereo != "off" and place != "panel",
             keystone=self._keystone is not None,
@@ -182,7 +182,7 @@ class Wardrobe:
         if mapping.place != "panel" and mapping.method == "vertex":
             depth = look.placement.depth
             uniforms.append(("domeDepth", planar(depth) if mapping.face else depth))
-            if mapping.wide and not mapping.face:
+            if mapping.clip != "behind" and not mapping.face:
                 uniforms.append(("domeRim", cone(tolerance.left_out)))
         if self._keystone is not None:
             uniforms.append(("domeKeystone", self._keystone.uniform))

@@ -64,7 +64,7 @@ class WindowPixels:
         context = self._context
         view = context.placer.through_window(context.frame)
         paper = self._options.method == "paper"
-        return Sight(view, context.frame, context.lens, context.rim, context.orientation, paper)
+        return Sight(view, context.frame, context.lens, context.orientation, paper)
 
     @property
     def raster(self) -> Raster | None:
@@ -118,10 +118,10 @@ class WindowPixels:
         frame, gl = self._context.frame, self._context.driver
         if not frame.aside:
             return
-        x, y, side, _ = frame.square
+        x, y, side, high = frame.square
         width, height = frame.size
         left, right = (0, 0, x, height), (x + side, 0, width - x - side, height)
-        below, above = (0, 0, width, y), (0, y + side, width, height - y - side)
+        below, above = (0, 0, width, y), (0, y + high, width, height - y - high)
         with way_cleared(gl):
             gl.glEnable(_SCISSOR_TEST)
             gl.glColorMask(1, 1, 1, 1)
@@ -153,4 +153,4 @@ class WindowPixels:
     def _part_clear(self) -> PartClear:
         context = self._context
         keystone = context.frame.keystone
-        return PartClear(context.driver, context.lens, self._options.fov, context.orientation, keystone)
+        return PartClear(context.driver, context.lens, context.orientation, keystone)

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from domeshim.lens.keystone import WHOLE, Keystone
+from domeshim.lens.keystone import WHOLE, Keystone, keystone_of
 
 if TYPE_CHECKING:
+    from domeshim.options import Options
     from domeshim.settings import Stereo
 
 Floats = NDArray[np.float64]
@@ -45,6 +46,28 @@ class Frame:
     """Where the corners of the disc's square go, if not to the square's own."""
     aside: bool = False
     """What is drawn flat lies beside the disc, not over it."""
+    whole: bool = False
+    """There is no disc: the picture fills each part, as on a cylindrical screen."""
+
+    @classmethod
+    def of(
+        cls,
+        options: Options,
+        size: tuple[int, int],
+        program_size: tuple[int, int],
+        inside: Rectangle | None = None,
+    ) -> Frame:
+        """The frame that the options ask for; the others as for the fields."""
+        return cls(
+            size,
+            program_size,
+            inside,
+            options.stereo,
+            options.disc,
+            keystone_of(options),
+            aside=options.hud == "side",
+            whole=options.surface[0] == "cylinder",
+        )
 
     def cut(self, part: Rectangle, viewport: int) -> Frame:
         """The frame of a part of this one, in which all stands where it stands here.
@@ -85,7 +108,7 @@ class Frame:
 
     @property
     def squares(self) -> tuple[Rectangle, ...]:
-        """Of each part the square whose sides a disc touches: the centre one, unless it lies elsewhere."""
+        """Of each part the rectangle whose sides a picture touches: the centre square, unless told so."""
         return tuple(self._square_in(part) for part in self.parts)
 
     @property
@@ -95,6 +118,8 @@ class Frame:
 
     def _square_in(self, part: Rectangle) -> Rectangle:
         left, bottom, width, height = part
+        if self.whole:
+            return part
         if self.disc is None:
             side = min(width, height)
             return left + (width - side) // 2, bottom + (height - side) // 2, side, side
@@ -104,15 +129,15 @@ class Frame:
 
     def place_of(self, disc: Floats, square: Rectangle | None = None) -> Floats:
         """(..., 2) on the disc, 1 at the square's sides -> (..., 2) pixels; square: of one eye's disc."""
-        x, y, side, _ = square or self.square
+        x, y, width, height = square or self.square
         placed = disc if self.keystone is None else self.keystone.to_frame(disc)
-        found: Floats = (placed + 1) * (side / 2) + (x, y)
+        found: Floats = (placed + 1) * (width / 2, height / 2) + (x, y)
         return found
 
     def disc_of(self, places: NDArray[np.floating], square: Rectangle | None = None) -> Floats:
         """(..., 2) pixels -> (..., 2) on the disc; square: of one eye's disc."""
-        x, y, side, _ = square or self.square
-        found: Floats = (np.asarray(places, float) - (x, y)) * (2 / side) - 1
+        x, y, width, height = square or self.square
+        found: Floats = (np.asarray(places, float) - (x, y)) * (2 / width, 2 / height) - 1
         return found if self.keystone is None else self.keystone.to_disc(found)
 
     def covers_most(self, viewport: Rectangle) -> bool:
@@ -143,12 +168,12 @@ class Frame:
 
     def strip(self, eye: int = 0) -> Rectangle:
         """The largest strip of an eye's part beside its disc's square, the left one of two alike."""
-        (left, bottom, width, height), (x, y, side, _) = self.parts[eye], self.squares[eye]
-        right, top = left + width - x - side, bottom + height - y - side
+        (left, bottom, width, height), (x, y, side, high) = self.parts[eye], self.squares[eye]
+        right, top = left + width - x - side, bottom + height - y - high
         strips = [
             (left, bottom, max(x - left, 0), height),
             (x + side, bottom, max(right, 0), height),
             (left, bottom, width, max(y - bottom, 0)),
-            (left, y + side, width, max(top, 0)),
+            (left, y + high, width, max(top, 0)),
         ]
         return max(strips, key=lambda strip: strip[2] * strip[3])

@@ -45,8 +45,11 @@ def show(
     title: str,
     size: tuple[int, int],
     display: int | None = None,
+    finish: Callable[[Driver, tuple[int, int]], None] | None = None,
 ) -> None:
     """Show what picture(size) gives, (height, width, 3), in a window; full screen where a display is given.
+
+    finish: makes of it what the projector needs.
 
     Raises ScreenError where there is no display to show it on.
     """
@@ -64,6 +67,8 @@ def show(
                 if shown is None or shown[0] != window.size:
                     shown = window.size, picture(window.size)
                 paste(driver, shown[1])
+                if finish is not None:
+                    finish(driver, window.size)
                 window.swap_buffers()
             backend.poll(_WAIT)
     finally:

@@ -1,4 +1,4 @@
-// A homogeneous point goes onto the disc, with w = distance, so that what is interpolated stays
+// A homogeneous point goes into the picture, with w = distance, so that what is interpolated stays
 // perspective-correct, and depth by distance: domeDepth = (a, b), depth * w = a * distance + b.
 uniform vec2 domeDepth;
 
@@ -6,9 +6,6 @@ vec4 bent(vec4 p) {
     p = p.w < 0.0 ? -p : p;
     float largest = max(max(abs(p.x), abs(p.y)), abs(p.z));
     vec3 d = largest > 0.0 ? p.xyz / largest : vec3(0.0, 0.0, -1.0); // no square may overflow or vanish
-    float rxy = length(d.xy);
-    float phi = atan(rxy, -d.z);
-    vec2 disc = rxy > 0.0 ? d.xy * (lensRadius(phi) / rxy) : vec2(0.0);
     float r = largest * length(d);
-    return vec4(disc * r, domeDepth.x * r + domeDepth.y * p.w, r);
+    return vec4(landed(d) * r, domeDepth.x * r + domeDepth.y * p.w, r);
 }

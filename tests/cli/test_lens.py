@@ -92,6 +92,23 @@ def test_pattern_writes_a_card_of_the_frames_size(tmp_path):
         call("pattern", "--size", 64, "--output", tmp_path / "card.xyz")
 
 
+def test_pattern_honours_disc_surface_and_mirror(tmp_path):
+    def pattern(*options):
+        call("pattern", "--size", "300x200", *options, "--output", tmp_path / "card.png")
+        return np.asarray(Image.open(tmp_path / "card.png")).astype(int)
+
+    plain = pattern("--disc", "100,100,90")
+    assert (plain[100, 5:14].max(-1) > 200).any()
+    assert plain[10:190, 200:298].max() == 0
+    assert np.abs(pattern("--disc", "100,100,90", "--mirror", "horizontal") - plain[:, ::-1]).max() <= 1
+    (tmp_path / "half.data").write_text("2\n2 2\n-1 -1 0 0 1\n0 -1 1 0 1\n-1 1 0 1 1\n0 1 1 1 1\n")
+    halved = pattern("--surface", tmp_path / "half.data")
+    assert halved[:, 152:].max() == 0
+    assert halved[:, :148].max() > 200
+    wide = pattern("--surface", "cylinder:160")
+    assert (wide[100, 3:-3].max(-1) > 100).mean() > 0.9  # its horizon
+
+
 def test_pattern_without_a_display_names_the_way_out(monkeypatch):
     for name in ("DISPLAY", "WAYLAND_DISPLAY"):
         monkeypatch.delenv(name, raising=False)

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from domeshim.lens.card import draw_card
-from domeshim.lens.models import lens_of, rim_radius
+from domeshim.lens.chosen import lens_chosen
+from domeshim.lens.models import lens_of
 from domeshim.lens.orientation import Orientation
 from domeshim.lens.projection import disc_of
 from domeshim.options import Options
@@ -20,7 +21,7 @@ OPTIONS = [
 
 
 def card(options, size=SIZE):
-    return np.asarray(draw_card(size, Frame(size, size, stereo=options.stereo).squares, options)).astype(int)
+    return np.asarray(draw_card(Frame.of(options, size, size), options)).astype(int)
 
 
 def pixels(rays, options):
@@ -28,7 +29,7 @@ def pixels(rays, options):
     lens = lens_of(*options.lens, options.fov)
     disc = disc_of(rays, lens)
     phi = np.arctan2(np.hypot(rays[:, 0], rays[:, 1]), -rays[:, 2])
-    inside = (phi < np.radians(options.fov / 2)) & (np.hypot(*disc.T) < rim_radius(lens, options.fov) - 0.09)
+    inside = (phi < np.radians(options.fov / 2)) & (np.hypot(*disc.T) < lens.rim - 0.09)
     x0, y0, side, _ = Frame(SIZE, SIZE).square
     x, y = ((disc[inside] + 1) * side / 2 + (x0, y0)).T
     return np.stack([SIZE[1] - y, x], -1).astype(int)
@@ -83,3 +84,46 @@ def test_each_eye_has_a_card():
 def test_lines_are_smooth():
     """Between dark and light lie many shades."""
     assert len(np.unique(card(Options())[..., 0])) > 20
+
+
+def lit_near(picture, places):
+    """The share of places, (n, 2) from the bottom left, on or beside something bright."""
+    inside = ((places > 2) & (places < np.array(picture.shape[1::-1]) - 2)).all(1)
+    rows, columns = picture.shape[0] - 1 - np.floor(places[inside][:, 1]), np.floor(places[inside][:, 0])
+    assert len(rows) > 50
+    return (brightest_near(picture, np.stack([rows, columns], -1).astype(int)) > 60).mean()
+
+
+@pytest.mark.parametrize(
+    "surface",
+    [
+        {"surface": ("keystone", (0.1, 0.0, 0.9, 0.1, 1.0, 1.0, 0.0, 0.8))},
+        {"disc": (250.0, 320.0, 190.0)},
+        {"surface": ("keystone", (0.1, 0.0, 0.9, 0.1, 1.0, 1.0, 0.0, 0.8)), "disc": (250.0, 320.0, 190.0)},
+    ],
+    ids=str,
+)
+def test_rings_go_where_corners_and_disc_are_put(surface):
+    options = Options(**surface)
+    picture, frame = card(options), Frame.of(options, SIZE, SIZE)
+    theta = np.linspace(0, 2 * np.pi, 400)
+    circle = np.stack([np.cos(theta), np.sin(theta)], -1)
+    for ring in (30, 60):
+        assert lit_near(picture, frame.place_of(circle * ring / 90)) > 0.9
+    assert lit_near(picture, frame.place_of(circle * 0.995)) > 0.9
+    assert picture[2:7, 2:7].max() == 0
+
+
+def test_azimuths_and_elevations_of_a_cylinder():
+    options = Options(surface=("cylinder", (150.0, -20.0, 50.0)))
+    picture, frame = card(options), Frame.of(options, SIZE, SIZE)
+    screen = lens_chosen(options)
+    along = np.linspace(-1, 1, 300)
+    for azimuth in (-60, -30, 0, 30, 60):
+        upright = np.stack([np.full_like(along, azimuth / 75), along], -1)
+        assert lit_near(picture, frame.place_of(upright)) > 0.9
+    for elevation in (-10, 0, 30, 40):
+        height = screen.landed(np.array([0, np.tan(np.radians(elevation)), -1.0]))[1]
+        assert lit_near(picture, frame.place_of(np.stack([along, np.full_like(along, height)], -1))) > 0.9
+    dark = frame.place_of(np.stack([along, np.full_like(along, 0.3)], -1))
+    assert lit_near(picture, dark) < 0.4

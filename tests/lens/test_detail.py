@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from domeshim.lens.detail import cone, curvature, least_from_behind, pieces_per_radian, straight_behind
+from domeshim.lens.detail import cone, curvature, pieces_per_radian, straight_behind
 from domeshim.lens.models import Equidistant
 from domeshim.lens.orientation import STRAIGHT, Orientation
 from domeshim.lens.projection import disc_of
@@ -25,7 +25,7 @@ def arcs(angle, count=4000):
 
 def off_in_pixels(lens, orientation):
     """How far the middle of each piece is from its chord, for pieces within the field of view."""
-    pieces = pieces_per_radian(lens, lens.fov, RADIUS, TOLERANCE, orientation)
+    pieces = pieces_per_radian(lens, RADIUS, TOLERANCE, orientation)
     directions = arcs(1 / pieces)
     rays = orientation.aimed(directions)
     phi = np.arctan2(np.hypot(rays[..., 0], rays[..., 1]), -rays[..., 2])
@@ -56,13 +56,13 @@ def test_they_do_so_from_a_seat(orientation):
 
 
 def test_the_pieces_are_not_shorter_than_they_must_be():
-    assert curvature(Equidistant(180), 180.0) == pytest.approx(1, abs=0.01)
+    assert curvature(Equidistant(180)) == pytest.approx(1, abs=0.01)
     assert off_in_pixels(Equidistant(180), STRAIGHT).max() > 0.7 * TOLERANCE
 
 
 def test_turning_the_dome_changes_nothing():
     lens = Equidistant(220)
-    assert curvature(lens, 220.0, Orientation(40, 50, 60)) == curvature(lens, 220.0)
+    assert curvature(lens, Orientation(40, 50, 60)) == curvature(lens)
 
 
 @pytest.mark.parametrize("behind", [2.0, 1.0, 0.3, 0.03])
@@ -73,19 +73,19 @@ def test_no_arc_is_off_by_more_than_the_bound(behind):
     ends = [middle * np.cos(angle / 2) + np.array([0, sign * np.sin(angle / 2), 0]) for sign in (-1, 1)]
     chord = (disc_of(ends[0], lens) + disc_of(ends[1], lens)) / 2
     off = np.linalg.norm(disc_of(middle, lens) - chord)
-    bound = curvature(lens, 360.0) * angle**2 / 8 / min(behind, 1) ** 2
+    bound = curvature(lens) * angle**2 / 8 / min(behind, 1) ** 2
     assert 0.2 * bound < off < 1.01 * bound
 
 
 def test_what_is_drawn_reaches_one_piece_beyond_the_rim():
-    assert least_from_behind(180.0, 10.0) == pytest.approx(np.pi / 2 - 0.1)
-    assert least_from_behind(220.0, 10.0) == pytest.approx(np.radians(70) - 0.1)
+    assert Equidistant(180.0).left_out(10.0) == pytest.approx(np.pi / 2 - 0.1)
+    assert Equidistant(220.0).left_out(10.0) == pytest.approx(np.radians(70) - 0.1)
 
 
 def test_at_360_degrees_less_than_the_tolerance_is_left_out():
     radius, tolerance = 512.0, 0.5
-    detail = np.sqrt(radius * curvature(Equidistant(360.0), 360.0) / (6 * tolerance))
-    assert 0 < least_from_behind(360.0, detail) / np.pi * radius < tolerance
+    detail = np.sqrt(radius * curvature(Equidistant(360.0)) / (6 * tolerance))
+    assert 0 < Equidistant(360.0).left_out(detail) / np.pi * radius < tolerance
 
 
 def test_a_cone_narrower_than_single_precision_of_its_cosine_is_still_one():

@@ -6,7 +6,7 @@ from scipy.interpolate import PchipInterpolator
 
 from domeshim.lens.catalogue import MODELS
 from domeshim.lens.knots import radius_at, rising_slopes
-from domeshim.lens.models import LensError, lens_of, rim_radius
+from domeshim.lens.models import LensError, lens_of
 from domeshim.shading.snippets import snippet
 from tests.lens.lenses import BLENDER, BLENDER_WIDE, OPENCV, every_lens, measured
 
@@ -52,7 +52,7 @@ def test_the_snippet_is_there(lens):
 def test_lenses_without_a_size_fill_the_disc(name):
     numbers = OPENCV if name == "opencv" else ()
     for fov in (40, 110, 180):
-        assert rim_radius(lens_of(name, numbers, fov), fov) == pytest.approx(1)
+        assert lens_of(name, numbers, fov).rim == pytest.approx(1)
 
 
 def test_formulas():

@@ -1,5 +1,9 @@
 """Keystones and warp meshes: their mathematics, their files, and what is refused."""
 
+import os
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -68,6 +72,24 @@ def test_what_cannot_go_together_is_refused(tmp_path):
     ):
         with pytest.raises(OptionError, match=reason):
             Options.from_environment(variables)
+
+
+STARTS = {
+    "DOME=1": ["-c", "from domeshim import startup; startup.arm_at_start(); print('began')"],
+    "capture": ["-m", "domeshim", "capture", "--output", "out.png", "prog.py"],
+}
+
+
+@pytest.mark.parametrize("arguments", STARTS.values(), ids=STARTS)
+def test_a_file_that_is_no_mesh_ends_in_one_line_before_the_program_begins(tmp_path, arguments):
+    (tmp_path / "bad.data").write_text("2\n3 3\n1 2 3\n")
+    (tmp_path / "prog.py").write_text("print('began')\n")
+    environ = {**os.environ, "DOME": "1", "DOME_SURFACE": "bad.data", "PYTHONPATH": os.pathsep.join(sys.path)}
+    ended = subprocess.run(
+        [sys.executable, *arguments], cwd=tmp_path, env=environ, capture_output=True, text=True, timeout=60
+    )
+    said = "domeshim: DOME_SURFACE: bad.data: 3 by 3 nodes of x y u v i are 45 numbers, and there are 3\n"
+    assert (ended.returncode, ended.stdout, ended.stderr) == (2, "", said)
 
 
 def bourke(columns=5, rows=4, aspect=1.0, place=lambda u, v: (2 * u - 1, 2 * v - 1)):

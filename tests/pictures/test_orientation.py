@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.spatial import cKDTree
 
-from domeshim.lens.models import lens_of, rim_radius
+from domeshim.lens.models import lens_of
 from domeshim.lens.orientation import Orientation
 from domeshim.lens.projection import direction_of, disc_of
 from domeshim.options import Options
@@ -42,7 +42,7 @@ def seen_by_pixels(lens, orientation):
     """(SIZE, SIZE, 3) what each pixel shows, the top row first; (SIZE, SIZE) whether it lies on the disc."""
     across = (np.arange(SIZE) + 0.5) / SIZE * 2 - 1
     disc = np.stack(np.meshgrid(across, -across), -1)
-    within = np.hypot(disc[..., 0], disc[..., 1]) < 0.99 * rim_radius(lens, lens.fov)
+    within = np.hypot(disc[..., 0], disc[..., 1]) < 0.99 * lens.rim
     disc[~within] = 0
     return direction_of(disc, lens, orientation), within
 
@@ -78,7 +78,7 @@ def test_lines_lie_on_their_true_curves(beside, fields):
         gl.glEnd()
 
     picture = beside.through_dome(scene, (SIZE, SIZE), **{"fov": 180.0, "tolerance": 0.1} | fields).picture
-    rim = rim_radius(lens, lens.fov) * SIZE / 2
+    rim = lens.rim * SIZE / 2
 
     def inside(places, margin):
         return places[np.hypot(*(places - (SIZE - 1) / 2).T) < rim - margin]

@@ -99,14 +99,15 @@ LENSES = sorted(path.stem for path in (glsl_folder() / "lens").glob("*.glsl"))
 
 
 def every_mapping():
-    yield from (Mapping(lens=lens) for lens in LENSES)
-    for method, place, aim, wide in itertools.product(
+    yield from (Mapping(lens=(f"lens/{lens}", "bend/radial")) for lens in LENSES)
+    yield from (Mapping(lens=("bend/cylinder",), aim=aim, clip="wedge") for aim in ("straight", "turned"))
+    for method, place, aim, clip in itertools.product(
         ("vertex", "paper"),
         ("modelview", "view", "panel"),
         ("straight", "turned", "seated"),
-        (False, True),
+        ("behind", "cone"),
     ):
-        yield Mapping(method, place=place, aim=aim, wide=wide)
+        yield Mapping(method, place=place, aim=aim, clip=clip)
 
 
 def every_scene():

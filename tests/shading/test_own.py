@@ -50,8 +50,9 @@ void main() {
 }
 """
 LANDINGS = [
-    *(Landing(lens) for lens in LENSES),
-    *(Landing(aim=aim, wide=wide) for aim in ("straight", "turned", "seated") for wide in (False, True)),
+    *(Landing((f"lens/{lens}", "bend/radial")) for lens in LENSES),
+    Landing(("bend/cylinder",), clip="wedge"),
+    *(Landing(aim=aim, clip=clip) for aim in ("straight", "turned", "seated") for clip in ("behind", "cone")),
 ]
 
 

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from domeshim.lens.cylinder import Cylinder
 from domeshim.lens.models import Equidistant
 from domeshim.lens.orientation import STRAIGHT, Orientation
 from domeshim.lens.projection import disc_of
@@ -41,7 +42,7 @@ def check(driver, lens, orientation, d):
     """The shader and numpy agree about directions, (n, 3), to 1e-5 of the disc's radius."""
     d = d.astype(np.float32)
     uniforms = {"domeLens": lens.uniform, "domeDepth": (1.0, 0.0), **dict(orientation.uniforms)}
-    recipe = Recipe(Mapping(lens=lens.name, aim=orientation.aim))
+    recipe = Recipe(Mapping(lens=lens.snippets, aim=orientation.aim))
     got = positions_on_gpu(driver, recipe, np.column_stack([d, np.ones(len(d), np.float32)]), uniforms)
     want = disc_of(d.astype(float), lens, orientation)
     rays = orientation.aimed(d.astype(float))
@@ -57,6 +58,20 @@ def check(driver, lens, orientation, d):
 @pytest.mark.parametrize("lens", every_lens(), ids=str)
 def test_every_lens_agrees_with_numpy(driver, lens):
     check(driver, lens, STRAIGHT, directions(100_000, np.radians(lens.fov) / 2))
+
+
+@pytest.mark.parametrize("screen", [Cylinder(120, -30, 30), Cylinder(340, -75, 75)], ids=str)
+def test_a_cylinder_agrees_with_numpy(driver, screen):
+    d = directions(100_000).astype(np.float32)
+    rays = d.astype(float)
+    steep = np.hypot(rays[:, 0], rays[:, 2]) < np.linalg.norm(rays, axis=1) * np.cos(np.radians(80))
+    d = d[~steep & (np.abs(np.arctan2(rays[:, 0], -rays[:, 2])) < np.radians(175))]
+    uniforms = {"domeLens": screen.uniform, "domeDepth": (1.0, 0.0)}
+    recipe = Recipe(Mapping(lens=screen.snippets, clip="wedge"))
+    got = positions_on_gpu(driver, recipe, np.column_stack([d, np.ones(len(d), np.float32)]), uniforms)
+    want = screen.landed(d.astype(float))
+    assert len(d) > 80_000
+    assert (np.hypot(*(got[:, :2] / got[:, 3:] - want).T) / np.maximum(1, np.hypot(*want.T))).max() < 1e-5
 
 
 @pytest.mark.parametrize("orientation", ORIENTATIONS, ids=str)

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from domeshim.lens.models import lens_of, rim_radius
+from domeshim.lens.models import lens_of
 from domeshim.lens.orientation import Orientation
 from domeshim.lens.projection import disc_of
 from domeshim.options import Options
@@ -31,7 +31,7 @@ def sights(draw):
         placer.perspective_set(p, on_modelview=False)
         placer.place(p, None, (0, 0, *size), frame)
     tilt = draw(st.floats(-90, 90))
-    return Sight(placer.through_window(frame), frame, lens, rim_radius(lens, fov), Orientation(tilt))
+    return Sight(placer.through_window(frame), frame, lens, Orientation(tilt))
 
 
 def sight(*, fov=180.0, tilt=0.0, size=(800, 600), frame=None, lens=("equidistant", ()), p=None, **options):
@@ -41,7 +41,7 @@ def sight(*, fov=180.0, tilt=0.0, size=(800, 600), frame=None, lens=("equidistan
     placer.perspective_set(p, on_modelview=False)
     placer.place(p, None, (0, 0, *size), frame)
     optics = lens_of(*lens, fov)
-    return Sight(placer.through_window(frame), frame, optics, rim_radius(optics, fov), Orientation(tilt))
+    return Sight(placer.through_window(frame), frame, optics, Orientation(tilt))
 
 
 @settings(max_examples=300, deadline=None)
@@ -101,7 +101,7 @@ def test_a_depth_of_the_dome_becomes_the_monitors(s, distance, x, y):
 
 def test_the_papers_depth_becomes_the_monitors():
     s = sight(tilt=20)
-    s = Sight(s.view, s.frame, s.lens, s.rim, s.orientation, paper=True)
+    s = Sight(s.view, s.frame, s.lens, s.orientation, paper=True)
     eye = np.array([1.0, 2.0, -7.0])
     tilt = np.radians(20)
     z = np.cos(tilt) * eye[2] - np.sin(tilt) * eye[1]
