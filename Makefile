@@ -7,7 +7,7 @@ DEMO := demos/teapots.py
 PICTURES := pictures
 DEBIAN := libegl1 libgl1-mesa-dri libglx-mesa0 libglu1-mesa libglut3.12 xvfb xauth xdotool
 
-.PHONY: demo test check-style docs corpus sensitivity gallery figures bench-immediate stability watertight \
+.PHONY: demo test check-style docs corpus sensitivity gallery guide figures bench-immediate stability watertight \
 	endurance debian clean
 
 demo: $(VENV)/installed
@@ -43,6 +43,9 @@ gallery: $(VENV)/developed
 # The curves and pictures in docs/mathematics.md and docs/methods.md.
 figures: $(VENV)/developed
 	$(BIN)/python benchmarks/figures.py
+# The pictures of docs/dome.md, in a minute or two.
+guide: $(VENV)/developed
+	$(BIN)/python benchmarks/guide.py
 
 # What the dome costs each way to draw, dome over monitor: a line for each, in a minute or two.
 bench-immediate: $(VENV)/developed debian

@@ -132,7 +132,7 @@ def _tile(given: dict[str, Any], side: int, options: Options) -> int:
         return 0
     for field, whole in (
         ("stereo", options.stereo not in ("off", "left", "right")),
-        ("surface", options.surface[0] == "mesh"),
+        ("surface", options.surface[0] in ("mesh", "cylinder")),
         ("mirror", options.mirror != "off"),
         ("hud", options.flat_hud),
         ("method", options.cubemap and side > LARGEST_WHOLE),
