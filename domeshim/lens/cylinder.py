@@ -24,8 +24,12 @@ class Cylinder(Lens):
     """The elevation of its lower edge, degrees."""
     top: float
     cells: ClassVar[str] = "frame/cells_cylinder"
-    snippets = ("bend/cylinder",)
     singular: ClassVar[bool] = False
+
+    @property
+    def snippets(self) -> tuple[str, ...]:
+        """As for Lens."""
+        return ("bend/cylinder",)
 
     @property
     def uniform(self) -> tuple[float, ...]:

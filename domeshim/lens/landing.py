@@ -20,12 +20,15 @@ class Lens(ABC):
     dome's space, its axis along -z; places are (..., 2), 1 at the sides of the picture's square or frame.
     """
 
-    snippets: tuple[str, ...]
-    """Of glsl, giving landed(); with the uniform domeLens."""
     cells: ClassVar[str]
     """The snippet with a grid over the picture, giving rayAt()."""
     singular: ClassVar[bool] = True
     """What is straight behind has no place, and around it all edges bend without bound."""
+
+    @property
+    @abstractmethod
+    def snippets(self) -> tuple[str, ...]:
+        """Of glsl, giving landed(); with the uniform domeLens."""
 
     @property
     @abstractmethod

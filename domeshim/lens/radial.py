@@ -37,7 +37,7 @@ class RadialLens(Lens):
         """
 
     @property
-    def snippets(self) -> tuple[str, ...]:  # type: ignore[override] # read only
+    def snippets(self) -> tuple[str, ...]:
         """The radius, and what becomes of it."""
         return f"lens/{self.name}", "bend/radial"
 
