@@ -19,7 +19,7 @@ def link_program(dome: Dome, original: Call) -> Call:
     def call(program: Any) -> Any:
         if dome.context is None:
             return original(program)
-        return dome.context.program_linked(name_of(program), lambda: original(program))
+        return dome.context.binding.linked(name_of(program), lambda: original(program))
 
     return call
 
@@ -32,7 +32,7 @@ def use_program(dome: Dome, original: Call) -> Call:
             return original(program)
         dome.context.undress()
         result = original(program)
-        dome.context.program_used(name_of(program))
+        dome.context.binding.used(name_of(program))
         return result
 
     return call
@@ -74,7 +74,7 @@ def uniform(dome: Dome, original: Call) -> Call:
 
     def call(*args: Any) -> Any:
         if dome.context is not None:
-            dome.context.uniform_sent()
+            dome.context.binding.uniform_sent()
         return original(*args)
 
     return call
@@ -85,10 +85,10 @@ def uniform_matrix(dome: Dome, original: Call) -> Call:
 
     def call(location: Any, *args: Any) -> Any:
         if dome.context is not None:
-            dome.context.uniform_sent()
+            dome.context.binding.uniform_sent()
         result = original(location, *args)
         if dome.context is not None:
-            dome.context.matrix_sent(int(location))
+            dome.context.binding.matrix_sent(int(location))
         return result
 
     return call

@@ -8,11 +8,8 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from functools import partial
 from typing import Any
-
-import numpy as np
 
 from domeshim.draw.canvas import canvas_of
 from domeshim.driver import Driver
@@ -22,39 +19,24 @@ from domeshim.lens.orientation import Orientation
 from domeshim.options import Options
 from domeshim.shading.program import Program
 from domeshim.shading.recipe import Patch, Recipe, Scene
+from domeshim.state.binding import Binding
 from domeshim.state.own_programs import OwnPrograms
 from domeshim.state.perspective import Matrix
 from domeshim.state.placement import MainView, Placement, Placer
 from domeshim.state.raster import Point, RasterPoints
 from domeshim.state.scene import GROUPS, SceneState
-from domeshim.state.scissor import Edges, edges_of
 from domeshim.state.subdividing import Subdividing
 from domeshim.state.views import Dressing, View, Worn
 from domeshim.state.wardrobe import Look, Wardrobe
+from domeshim.state.whereabouts import MODELVIEW, PROJECTION, Seen, Whereabouts
 from domeshim.state.window_pixels import WindowPixels
-from domeshim.window.frame import Frame, Rectangle
+from domeshim.window.frame import Frame
 
-_VIEWPORT, _MATRIX_MODE, _MODELVIEW, _PROJECTION, _TEXTURE = 0x0BA2, 0x0BA0, 0x1700, 0x1701, 0x1702
-_MODELVIEW_MATRIX, _PROJECTION_MATRIX, _CURRENT_PROGRAM = 0x0BA6, 0x0BA7, 0x8B8D
-_RASTERIZER_DISCARD = 0x8C89
+_TEXTURE, _RASTERIZER_DISCARD = 0x1702, 0x8C89
 _PATCH_VERTICES, _CURRENT_AND_LIGHTING_BITS = 0x8E72, 0x0041
-_CURRENT_COLOR = 0x0B00
-_SCISSOR_TEST, _SCISSOR_BOX, _DRAW_FRAMEBUFFER_BINDING = 0x0C11, 0x0C10, 0x8CA6
+_CURRENT_COLOR, _DRAW_FRAMEBUFFER_BINDING = 0x0B00, 0x8CA6
 _NOT_IN_WINDOW = frozenset(("render mode", "framebuffer"))
 """Reasons to stay out of draws that leave no pixel in the window."""
-
-
-@dataclass(frozen=True)
-class Seen:
-    """What GL said of where draws go."""
-
-    viewport: Rectangle
-    scissor: Rectangle | None
-    """None: off."""
-    edges: Edges
-    """What the scissor leaves of the viewport."""
-    projection: Matrix
-    placement: Placement
 
 
 class DomeContext:
@@ -73,14 +55,13 @@ class DomeContext:
         """A display list is being compiled: nothing of ours may get into it."""
         self._options = options
         self._wardrobe = Wardrobe(driver, options, self.lens, self.orientation, frame.keystone)
+        self.binding = Binding(self)
         self.pixels = WindowPixels(self, options)
         self.subdividing = Subdividing(self, options)
         self._bypasses: set[str] = set()
         self._passing = False
         self._said: set[str] = set()
-        self._projection_stale = True
-        self._matrix_mode = driver.integer(_MATRIX_MODE)
-        self._seen: Seen | None = None
+        self._where = Whereabouts(driver, self.placer, self.own)
         self._raster = False
         self._worn = Worn(driver)
         self.canvas = canvas_of(driver, options, frame, self.lens, self.orientation, self.say_once)
@@ -97,70 +78,32 @@ class DomeContext:
 
     def viewport_changed(self) -> None:
         """The next draw asks for the viewport again."""
-        self._projection_stale = True
+        self._where.changed = True
 
     def matrix_mode_changed(self, mode: int) -> None:
         """Calls on the matrix stacks go to this one from now on."""
-        left, self._matrix_mode = self._matrix_mode, mode
-        self._projection_stale = self._projection_stale or _PROJECTION in (left, mode)
+        left, self._where.matrix_mode = self._where.matrix_mode, mode
+        if PROJECTION in (left, mode):
+            self._where.changed = True
         if _TEXTURE in (left, mode):
             self.scene.stale.add("textures")
 
     def anything_changed(self) -> None:
         """A list or an attribute stack may have changed any state."""
         self.scene.stale |= GROUPS
-        self._projection_stale = True
-        self._matrix_mode = self.driver.integer(_MATRIX_MODE)
+        self._where.ask_again()
 
     def perspective_set(self, p: Matrix | None) -> None:
         """The program is about to multiply or load this perspective onto the current stack."""
-        if p is not None and self._matrix_mode in (_PROJECTION, _MODELVIEW):
-            self.placer.perspective_set(p, on_modelview=self._matrix_mode == _MODELVIEW)
-            self._projection_stale = True
+        mode = self._where.matrix_mode
+        if p is not None and mode in (PROJECTION, MODELVIEW):
+            self.placer.perspective_set(p, on_modelview=mode == MODELVIEW)
+            self._where.changed = True
 
     @property
     def on_projection(self) -> bool:
         """The current matrix stack is PROJECTION."""
-        return self._matrix_mode == _PROJECTION
-
-    def program_used(self, name: int) -> None:
-        """The program has bound a GLSL program of its own, or 0."""
-        before = self.own.source
-        self.own.use(name)
-        if self.own.source is not before:
-            self._projection_stale = True
-        self._bypass_own(name)
-
-    def program_linked(self, name: int, original: Callable[[], object]) -> None:
-        """The program links one of its own; original: its own call."""
-        self.undress()
-        self.own.link(name, original)
-        if self.driver.integer(_CURRENT_PROGRAM) == name:
-            self._projection_stale = True
-            self._bypass_own(name)
-
-    def uniform_sent(self) -> None:
-        """The program is about to give a uniform of its own a value."""
-        if self.own.fragments is not None:
-            self.undress()
-            self.own.fragments.uniforms_changed()
-
-    def matrix_sent(self, location: int) -> None:
-        """The program has sent a matrix to a uniform of its own."""
-        p = self.own.matrix_sent(location)
-        if p is not None:
-            self.placer.perspective_set(p, on_modelview=False)
-            self._projection_stale = True
-
-    def _bypass_own(self, name: int) -> None:
-        self.bypass("program", on=name != 0 and self.own.current is None and self.own.fragments is None)
-        units = self.own.fragments.texture_units if self.own.fragments else frozenset()
-        if units != self.scene.read_units:
-            self.scene.read_units = units
-            self.scene.stale.add("textures")
-        if "program" in self._bypasses:
-            why = self.own.complaints.get(name, "not linked from GLSL that could be seen")
-            self.say_once(f"the program's own GLSL is not bent and draws as on the monitor: {why}")
+        return self._where.matrix_mode == PROJECTION
 
     @property
     def bends(self) -> bool:
@@ -187,7 +130,7 @@ class DomeContext:
         """The program may have bound a framebuffer of its own, or the window again."""
         own = self.driver.has("glBindFramebuffer") and self.driver.integer(_DRAW_FRAMEBUFFER_BINDING) != 0
         self.bypass("framebuffer", on=own)
-        self._projection_stale = True
+        self._where.changed = True
 
     @property
     def in_own_framebuffer(self) -> bool:
@@ -306,7 +249,7 @@ class DomeContext:
                 self.driver, self._options, frame, self.lens, self.orientation, self.say_once
             )
         self._frame = frame
-        self._projection_stale = True
+        self._where.changed = True
 
     def undress(self) -> None:
         """Give GL back to the program just as it left it."""
@@ -315,53 +258,29 @@ class DomeContext:
 
     def _uncover(self) -> None:
         """Undress if GL is about to be asked for what the dome changes."""
-        if self._seen is None or self._placement_stale or "rest" in self.scene.stale:
+        if self._where.stale or "rest" in self.scene.stale:
             self.undress()
 
     @property
-    def _placement_stale(self) -> bool:
-        return self._projection_stale or self._matrix_mode == _PROJECTION or self.placer.on_modelview
-
-    @property
     def _stale(self) -> bool:
+        where = self._where
         return bool(
-            self._projection_stale
-            or self.scene.stale
-            or self._matrix_mode != _MODELVIEW
-            or self.placer.on_modelview
+            where.changed or self.scene.stale or where.matrix_mode != MODELVIEW or self.placer.on_modelview
         )
 
     def _look(self) -> tuple[Seen, Scene]:
-        if self._matrix_mode == _TEXTURE:
+        if self._where.matrix_mode == _TEXTURE:
             self.scene.stale.add("textures")
         return self.seen, self.scene.scene()
 
     @property
     def seen(self) -> Seen:
         """Where what is drawn now belongs; asked of GL again only where it may have changed."""
-        if self._seen is None or self._placement_stale:
+        known = self._where.known
+        if known is None or self._where.stale:
             self.undress()
-            self._seen = self._ask()
-        return self._seen
-
-    def _ask(self) -> Seen:
-        x, y, w, h = self.driver.integers(_VIEWPORT, 4)
-        viewport, scissor = (x, y, w, h), self._ask_scissor()
-        self._projection_stale = False
-        modelview = self.matrix(_MODELVIEW_MATRIX) if self.placer.on_modelview else None
-        projection = self.own.projection(self.matrix(_PROJECTION_MATRIX))
-        placement = self.placer.place(projection, modelview, viewport, self.frame)
-        return Seen(viewport, scissor, edges_of(scissor, viewport), projection, placement)
-
-    def _ask_scissor(self) -> Rectangle | None:
-        if not self.driver.glIsEnabled(_SCISSOR_TEST):
-            return None
-        x, y, w, h = self.driver.integers(_SCISSOR_BOX, 4)
-        return x, y, w, h
-
-    def matrix(self, name: int) -> Matrix:
-        """One of GL's matrices, (4, 4)."""
-        return np.array(self.driver.doubles(name, 16)).reshape(4, 4).T
+            known = self._where.ask(self._frame)
+        return known
 
     def _put_on(self, seen: Seen, scene: Scene) -> None:
         placement, canvas = seen.placement, self.canvas

@@ -14,6 +14,7 @@ from domeshim.options import Options
 from domeshim.state.perspective import Matrix
 from domeshim.state.placement import Placement
 from domeshim.state.subdivision import Method, Subdivision, Tolerance, method_of
+from domeshim.state.whereabouts import matrix
 from domeshim.window.frame import Frame
 
 if TYPE_CHECKING:
@@ -102,5 +103,5 @@ class Subdividing:
             return modelview
         whole = np.array(placement.view).reshape(4, 4).T
         if placement.place == "panel":
-            whole = whole @ self._context.matrix(_PROJECTION_MATRIX)
+            whole = whole @ matrix(self._context.driver, _PROJECTION_MATRIX)
         return tuple((whole @ np.array(modelview).reshape(4, 4).T).T.ravel().tolist())
