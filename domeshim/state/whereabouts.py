@@ -53,9 +53,7 @@ class Whereabouts:
     @property
     def stale(self) -> bool:
         """It may have changed, or be changing unseen, call by call: GL must be asked."""
-        return (
-            self._seen is None or self.changed or self.matrix_mode == PROJECTION or self._placer.on_modelview
-        )
+        return self.changed or self.matrix_mode == PROJECTION or self._placer.on_modelview
 
     def ask(self, frame: Frame) -> Seen:
         """Where what is drawn now belongs; nothing of the dome's may be on."""
