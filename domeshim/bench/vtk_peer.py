@@ -66,6 +66,7 @@ class _Window:
         self._window.SetSize(size, size)
         self._renderer = vtk.vtkRenderer()
         self._renderer.SetBackground(0, 0, 0)
+        self._renderer.GetCullers().RemoveAllItems()  # they leave out what the monitor's view does not show
         self._window.AddRenderer(self._renderer)
         self._pass = vtk.vtkPanoramicProjectionPass()
         self._pass.SetProjectionTypeToAzimuthal()
