@@ -7,7 +7,7 @@ DEMO := demos/teapots.py
 PICTURES := pictures
 DEBIAN := libegl1 libgl1-mesa-dri libglx-mesa0 libglu1-mesa libglut3.12 xvfb xauth xdotool
 
-.PHONY: demo test check-style docs corpus sensitivity gallery guide figures bench-immediate stability watertight \
+.PHONY: demo test check-style docs report corpus sensitivity gallery guide figures bench-immediate stability watertight \
 	endurance debian clean
 
 demo: $(VENV)/installed
@@ -58,6 +58,10 @@ stability: $(VENV)/developed debian
 # 1,000 random meshes by each method, white on black: not one pinhole. In some ten minutes.
 watertight: $(VENV)/developed debian
 	MESHES=1000 $(BIN)/python -m pytest tests/pictures/test_watertight.py
+
+# Error against run time, and the shim's own cost: docs/report.md, in half an hour; VTK's where it is installed.
+report: $(VENV)/developed debian
+	$(BIN)/python benchmarks/report.py
 
 # 100,000 pictures: memory and GL's objects on the way, in some ten minutes.
 endurance: $(VENV)/developed debian

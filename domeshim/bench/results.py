@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass, field
+from math import inf
 from statistics import median
 from typing import Any
 
@@ -69,6 +70,17 @@ class Row:
     seen: Seen | None = None
     """Of a user's program."""
 
+    @classmethod
+    def from_json(cls, read: dict[str, Any]) -> Row:
+        """As asdict told it, infinities as None."""
+        parts: dict[str, Any] = {"cost": Cost(**read["cost"])}
+        if read["edges"] is not None:
+            edges = {name: inf if value is None else value for name, value in read["edges"].items()}
+            parts["edges"] = EdgeError(**edges)
+        if read["seen"] is not None:
+            parts["seen"] = Seen(**read["seen"])
+        return cls(**{**read, **parts})
+
 
 @dataclass
 class Results:
@@ -95,12 +107,19 @@ class Results:
             "notes": self.notes,
         }
 
+    @classmethod
+    def from_json(cls, read: dict[str, Any]) -> Results:
+        """As as_json told it."""
+        return cls(read["machine"], [Row.from_json(row) for row in read["rows"]], read["notes"])
+
     def markdown(self) -> str:
         """A table for each scene and size."""
-        parts = [" · ".join(self.machine.values())]
-        parts += [f"**{title}**, {size}x{size}\n\n{_table(rows)}" for title, size, rows in self.scenes()]
-        parts += [f"- {note}" for note in self.notes]
+        parts = [" · ".join(self.machine.values()), *self.tables(), *(f"- {note}" for note in self.notes)]
         return "\n\n".join(parts) + "\n"
+
+    def tables(self) -> list[str]:
+        """A table for each scene and size, as Markdown."""
+        return [f"**{title}**, {size}x{size}\n\n{_table(rows)}" for title, size, rows in self.scenes()]
 
 
 _HEAD = ("method", "time", "processor", "ms")
@@ -132,7 +151,7 @@ def _finite(value: Any) -> Any:
     """The same with None for what is infinite: JSON knows no infinity."""
     if isinstance(value, dict):
         return {key: _finite(each) for key, each in value.items()}
-    return None if value == float("inf") else value
+    return None if value == inf else value
 
 
 def _figure(value: float) -> str:

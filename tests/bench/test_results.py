@@ -51,6 +51,11 @@ def test_json_knows_no_infinity(tmp_path):
     assert json.loads(text, parse_constant=pytest.fail)["rows"][2]["edges"]["largest"] is None
 
 
+def test_json_is_read_back():
+    results = Results({"renderer": "a GL"}, ROWS, ["a note"])
+    assert Results.from_json(json.loads(json.dumps(results.as_json()))) == results
+
+
 def test_the_command_measures_what_it_is_asked_for(tmp_path):
     ended = bench("--quick", "--scene=lines", "--method=vertex", f"--output={tmp_path}", "--json")
     assert ended.returncode == 0, ended.stderr
