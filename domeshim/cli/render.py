@@ -184,6 +184,9 @@ def _render(plan: Plan, crew: Crew, video: Path | None) -> None:
         manifest = render_show(plan, crew, Bar(plan.name), films)
     except OSError as error:
         raise OptionError(f"--output={plan.output}: {error.strerror or error}") from None
+    except KeyboardInterrupt:
+        startup.say("stopped; the same command goes on from here")
+        raise SystemExit(130) from None
     finally:
         if films is not None and not films.close():
             startup.say(f"{films.path} was not written: pictures are missing")

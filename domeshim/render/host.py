@@ -68,19 +68,25 @@ class Camera:
             end_at_once(0)
         self._watch.heard()
         if self._session.looked_back:
-            send(self._replies, Header("looked-back", number))
+            self._tell(Header("looked-back", number))
             end_at_once(0)
         if number == self._wanted[0]:
             left, bottom, *size = self._part
             pixels = read_pixels(*size, corner=(left, bottom))
-            send(self._replies, Header("picture", number, (size[0], size[1])), pixels)
+            self._tell(Header("picture", number, (size[0], size[1])), pixels)
             self._wanted.pop(0)
             self._hear()
             if not self._wanted:
                 raise ProgramFinished
         elif number % _NEWS_EVERY == 0:
-            send(self._replies, Header("passing", number))
+            self._tell(Header("passing", number))
         self._prepare(number + 1)
+
+    def _tell(self, header: Header, pixels: bytes = b"") -> None:
+        try:
+            send(self._replies, header, pixels)
+        except BrokenPipeError:  # the owner has gone, and its program goes too
+            end_at_once(1)
 
     def _hear(self) -> None:
         """Wait for the next order if there is nothing left to do."""

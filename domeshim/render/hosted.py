@@ -46,6 +46,7 @@ class Host:
                 [sys.executable, "-m", "domeshim.render.host", *pipes, str(int(draws_all)), reel.to_json()],
                 pass_fds=(orders_out, replies_in),
                 stdin=subprocess.DEVNULL,
+                start_new_session=True,  # Ctrl+C is for the owner, who ends it
             )
         finally:
             os.close(orders_out)
