@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from fractions import Fraction
+from importlib import import_module
 from pathlib import Path
 from queue import Full, Queue
 from threading import Thread
@@ -46,6 +47,9 @@ class Recording:
     def __init__(self, path: Path) -> None:
         """Raises OptionError where the file cannot be written."""
         check_film(path)
+        import_module(
+            "av"
+        )  # not in the thread: a program may end before it is imported, and would wait for ever
         self.path = path
         self.taken = 0
         self.dropped = 0
