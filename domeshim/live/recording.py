@@ -47,9 +47,7 @@ class Recording:
     def __init__(self, path: Path) -> None:
         """Raises OptionError where the file cannot be written."""
         check_film(path)
-        import_module(
-            "av"
-        )  # not in the thread: a program may end before it is imported, and would wait for ever
+        import_module("av")  # here and not in the thread: a program may end while it is being imported
         self.path = path
         self.taken = 0
         self.dropped = 0

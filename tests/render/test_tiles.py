@@ -43,7 +43,7 @@ def test_averaged_tiles(whole, progress):
     tiled = replace(fine, tile=100, output=whole.output.with_name("tiled"))
     for plan in (fine, tiled):
         render(plan, Alone(), progress)
-    # The driver rounds vertices to 1/256 pixel, counted from its border: a sample at an edge may differ.
+    # Single samples at edges fall to the other side (docs/limits.md): small steps of shade, once averaged.
     assert (np.abs(picture(tiled) - picture(fine)).max(-1) > 1).mean() < 0.003
 
 
