@@ -15,6 +15,16 @@ import pytest  # noqa: E402
 
 
 @pytest.fixture(autouse=True)
+def same_environment() -> Iterator[None]:
+    """What a command sets for its own process stays with its test."""
+    before = dict(os.environ)
+    yield
+    if dict(os.environ) != before:
+        os.environ.clear()
+        os.environ.update(before)
+
+
+@pytest.fixture(autouse=True)
 def no_gl_error() -> Iterator[None]:
     yield
     platform = sys.modules.get("OpenGL.platform")

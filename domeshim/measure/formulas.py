@@ -38,8 +38,8 @@ vec4 bent(vec4 p) {
     return vec4(rxy > 0.0 ? p.xy * (lensRadius(phi) / rxy) : vec2(0.0), 0.0, 1.0);
 }
 """,
-    "method paper: atan(rxy, -z)": snippet("bend/paper"),
-    "ours: atan(rxy, -z), divided by the largest first": snippet("bend/vertex"),
+    "method paper: atan(rxy, -z)": snippet("bend/radial") + snippet("bend/paper"),
+    "ours: atan(rxy, -z), divided by the largest first": snippet("bend/radial") + snippet("bend/vertex"),
 }
 """GLSL for a point's place on the disc of an equidistant lens of 180 degrees, by what it does."""
 
