@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import json
-import os
 import subprocess
-import sys
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import ExitStack, suppress
 from dataclasses import replace
 from pathlib import Path
-from typing import IO, Any
+from typing import Any
 
 from domeshim.bench.contest import Heard
 from domeshim.bench.methods import Method
@@ -18,6 +16,7 @@ from domeshim.bench.results import Cost, Row, Seconds, Seen
 from domeshim.bench.timekeeper import Errand
 from domeshim.errors import DomeError
 from domeshim.measure.comparison import Comparison, Program
+from domeshim.measure.piped import Piped
 
 _WARM = 3
 """Pictures that import, build shaders and textures, and do not count."""
@@ -27,31 +26,17 @@ class Timed:
     """One program in a process of its own, which draws a picture when it is told to."""
 
     def __init__(self, errand: Errand) -> None:
-        orders_out, orders_in = os.pipe()
-        replies_out, replies_in = os.pipe()
-        command = [sys.executable, "-m", "domeshim.bench.timekeeper", str(orders_out), str(replies_in)]
-        try:
-            self._process = subprocess.Popen(
-                [*command, errand.to_json()],
-                pass_fds=(orders_out, replies_in),
-                stdin=subprocess.DEVNULL,
-                stdout=subprocess.DEVNULL,
-                stderr=subprocess.DEVNULL,
-            )
-        finally:
-            os.close(orders_out)
-            os.close(replies_in)
-        self._orders: IO[bytes] = os.fdopen(orders_in, "wb")
-        self._replies: IO[bytes] = os.fdopen(replies_out, "rb")
+        silent = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+        self._child = Piped("domeshim.bench.timekeeper", errand.to_json(), **silent)
 
     def picture(self) -> Seconds:
         """What the program's next picture took. Raises DomeError where there is none."""
         with suppress(BrokenPipeError):
-            self._orders.write(b"\n")
-            self._orders.flush()
-        line = self._replies.readline()
+            self._child.orders.write(b"\n")
+            self._child.orders.flush()
+        line = self._child.replies.readline()
         if not line:
-            status = self._process.wait()
+            status = self._child.wait()
             raise DomeError(f"the program could not be timed: its process ended (status {status})")
         told: dict[str, Any] = json.loads(line)
         if "failed" in told:
@@ -60,12 +45,7 @@ class Timed:
 
     def close(self) -> None:
         """End the process."""
-        for stream in (self._orders, self._replies):
-            with suppress(OSError):
-                stream.close()
-        if self._process.poll() is None:
-            self._process.terminate()
-        self._process.wait()
+        self._child.close()
 
 
 def rows(

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
-from typing import IO
 
 from domeshim.errors import DomeError
+from domeshim.measure.piped import Piped
 from domeshim.render.plan import Reel
 from domeshim.render.wire import Header, order, receive
 
@@ -38,26 +35,10 @@ class Host:
         """draws_all: pictures that are passed by are drawn as well."""
         self.reached = 0
         """The last picture that was delivered."""
-        orders_out, orders_in = os.pipe()
-        replies_out, replies_in = os.pipe()
-        pipes = (str(orders_out), str(replies_in))
-        try:
-            self._process = subprocess.Popen(
-                [sys.executable, "-m", "domeshim.render.host", *pipes, str(int(draws_all)), reel.to_json()],
-                pass_fds=(orders_out, replies_in),
-                stdin=subprocess.DEVNULL,
-                start_new_session=True,  # Ctrl+C is for the owner, who ends it
-            )
-        finally:
-            os.close(orders_out)
-            os.close(replies_in)
-        self._orders: IO[bytes] = os.fdopen(orders_in, "wb")
-        self._replies: IO[bytes] = os.fdopen(replies_out, "rb")
-
-    @property
-    def process(self) -> int:
-        """The process's number."""
-        return self._process.pid
+        # In a session of its own: Ctrl+C is for the owner, who ends it.
+        self._child = Piped(
+            "domeshim.render.host", str(int(draws_all)), reel.to_json(), start_new_session=True
+        )
 
     def pictures(self, frames: Sequence[int], passing: Passing) -> Iterator[tuple[Header, bytes]]:
         """Deliver these pictures, each after the last one reached, in rising order.
@@ -66,9 +47,9 @@ class Host:
         may be passed by.
         """
         with suppress(BrokenPipeError):
-            order(self._orders, tuple(frames))
+            order(self._child.orders, tuple(frames))
         for frame in frames:
-            while (reply := receive(self._replies)) is not None and reply[0].kind == "passing":
+            while (reply := receive(self._child.replies)) is not None and reply[0].kind == "passing":
                 passing(reply[0].frame)
             header = reply[0] if reply is not None else Header("gone")
             if header.kind == "looked-back":
@@ -82,13 +63,8 @@ class Host:
 
     def close(self) -> None:
         """End the process."""
-        for stream in (self._orders, self._replies):
-            with suppress(OSError):
-                stream.close()
-        if self._process.poll() is None:
-            self._process.terminate()
-        self._process.wait()
+        self._child.close()
 
     def _status(self) -> str:
-        status = self._process.wait()
+        status = self._child.wait()
         return f" (signal {-status})" if status < 0 else f" (exit status {status})" if status else ""
