@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-import re
-import warnings
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
 import glfw
 from OpenGL import GL
-from OpenGL.platform import PLATFORM
 
 from domeshim.errors import ScreenError
 from domeshim.window.contract import Backend, Joystick, SurfaceFormat, Window, WindowEvents
+from domeshim.window.handles import attempts, complaints, create
 from domeshim.window.x11 import order_on_x11
 
 _CURSORS = {
@@ -28,7 +24,6 @@ _CURSORS = {
 }
 _PROCESSOR = ("llvmpipe", "softpipe", "swrast", "software")
 """In the names of renderers that draw without a GPU."""
-_ACCUMULATION = (glfw.ACCUM_RED_BITS, glfw.ACCUM_GREEN_BITS, glfw.ACCUM_BLUE_BITS, glfw.ACCUM_ALPHA_BITS)
 
 
 class ScreenBackend(Backend):
@@ -43,7 +38,7 @@ class ScreenBackend(Backend):
         """
         failures = []
         for platform in (glfw.PLATFORM_X11, glfw.PLATFORM_WAYLAND, glfw.ANY_PLATFORM):
-            with _complaints() as said:
+            with complaints() as said:
                 glfw.init_hint(glfw.PLATFORM, platform)
                 glfw.init_hint(glfw.JOYSTICK_HAT_BUTTONS, False)
                 if glfw.init():
@@ -58,8 +53,8 @@ class ScreenBackend(Backend):
     @cached_property
     def dome_samples(self) -> int:
         """4; none where the processor draws, for there they cost a simple picture ten times its time."""
-        with _complaints():
-            handle = _create("", (1, 1), SurfaceFormat(), True, None, shown=False)
+        with complaints():
+            handle = create("", (1, 1), SurfaceFormat(), True, None, shown=False)
         if not handle:
             return 4
         glfw.make_context_current(handle)
@@ -82,10 +77,11 @@ class ScreenBackend(Backend):
 
         Raises ScreenError with glfw's words where it has nothing at all.
         """
+        shared = share.handle if isinstance(share, ScreenWindow) else None
         failures: list[str] = []
-        for attempt, really_double in _attempts(surface):
-            with _complaints() as said:
-                handle = _create(title, size, attempt, really_double, share, shown=shown)
+        for attempt, really_double in attempts(surface):
+            with complaints() as said:
+                handle = create(title, size, attempt, really_double, shared, shown=shown)
             failures += [words for words in said if words not in failures]
             if handle:
                 window = ScreenWindow(handle, attempt, events)
@@ -160,7 +156,7 @@ class ScreenWindow(Window):
     @property
     def position(self) -> tuple[int, int]:
         """The content's top left corner on the screen; (0, 0) where the display does not tell (Wayland)."""
-        with _complaints():
+        with complaints():
             x, y = glfw.get_window_pos(self.handle)
         return int(x), int(y)
 
@@ -181,7 +177,7 @@ class ScreenWindow(Window):
 
     def move(self, x: int, y: int) -> None:
         """Put the content's top left corner there; Wayland ignores it."""
-        with _complaints():
+        with complaints():
             glfw.set_window_pos(self.handle, x, y)
 
     def set_title(self, title: str) -> None:
@@ -288,69 +284,8 @@ class ScreenWindow(Window):
         self.events.button(button, action == glfw.PRESS, modifiers)
 
 
-def _attempts(wanted: SurfaceFormat) -> Iterator[tuple[SurfaceFormat, bool]]:
-    """Yield formats from the wish downwards, each with whether the context shall have two colour buffers."""
-    samples = wanted.samples
-    while True:
-        attempt = replace(wanted, samples=samples)
-        yield attempt, wanted.double_buffer
-        if not wanted.double_buffer:
-            yield attempt, True
-        if samples == 0:
-            return
-        samples = samples // 2 if samples > 2 else 0
-
-
-def _create(
-    title: str,
-    size: tuple[int, int],
-    surface: SurfaceFormat,
-    double: bool,
-    share: Window | None,
-    *,
-    shown: bool,
-) -> Any:
-    glfw.default_window_hints()
-    # PyOpenGL asks its own platform which context is current: glfw must make it through the same one.
-    through_egl = type(PLATFORM).__name__ == "EGLPlatform"
-    hints = {
-        glfw.CONTEXT_CREATION_API: glfw.EGL_CONTEXT_API if through_egl else glfw.NATIVE_CONTEXT_API,
-        glfw.SCALE_TO_MONITOR: False,
-        glfw.SCALE_FRAMEBUFFER: False,
-        glfw.VISIBLE: shown,
-        glfw.DOUBLEBUFFER: double,
-        glfw.DEPTH_BITS: 24 if surface.depth else 0,
-        glfw.STENCIL_BITS: 8 if surface.stencil else 0,
-        glfw.ALPHA_BITS: 8 if surface.alpha else 0,
-        glfw.STEREO: surface.stereo,
-        glfw.SAMPLES: surface.samples,
-    }
-    if surface.accumulation:
-        hints |= dict.fromkeys(_ACCUMULATION, 16)
-    for hint, value in hints.items():
-        glfw.window_hint(hint, int(value))
-    shared = share.handle if isinstance(share, ScreenWindow) else None
-    return glfw.create_window(*size, title, None, shared)
-
-
 def _monitor_size(monitor: Any) -> tuple[int, int]:
     if not monitor:
         return 0, 0
     mode = glfw.get_video_mode(monitor)
     return int(mode.size.width), int(mode.size.height)
-
-
-@contextmanager
-def _complaints() -> Iterator[list[str]]:
-    """Collect what glfw warns of, in its own words, instead of letting it reach the user."""
-    said: list[str] = []
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
-        yield said
-    said += [_words(str(warning.message)) for warning in caught]
-
-
-def _words(warning: str) -> str:
-    """Return glfw's own sentence from a warning such as "(65550) b'X11: Failed to open display'"."""
-    found = re.fullmatch(r"\(\d+\) b(['\"])(.*)\1", warning)
-    return found[2] if found else warning

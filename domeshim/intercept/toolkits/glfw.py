@@ -15,7 +15,7 @@ from domeshim.window.contract import SurfaceFormat, Window, WindowEvents
 if TYPE_CHECKING:
     from domeshim.session import Session
 
-_OUR_OWN = "domeshim.window.screen"
+_OUR_OWN = "domeshim.window.handles"
 """The module that opens our own windows through the same glfw."""
 
 
