@@ -10,6 +10,7 @@ from typing import Literal
 
 from domeshim.errors import OptionError
 from domeshim.lens import catalogue, surfaces
+from domeshim.wording import counted
 
 Place = tuple[float, float, float]
 
@@ -136,7 +137,7 @@ def _max_turn(text: str) -> float | None:
 def _place(text: str) -> Place:
     numbers = [_finite(number) for number in text.split(",")]
     if len(numbers) != 3:
-        raise ValueError(f"{len(numbers)} numbers")
+        raise ValueError(counted(len(numbers), "number"))
     return numbers[0], numbers[1], numbers[2]
 
 

@@ -10,6 +10,7 @@ from domeshim.GLUT import constants as c
 from domeshim.GLUT.arguments import callback, integer, text
 from domeshim.GLUT.complaints import fatal
 from domeshim.GLUT.state import GlutState, glut_state
+from domeshim.wording import counted
 
 _GEOMETRY = re.compile(r"=?(?:(\d+)[xX](\d+))?(?:([+-]-?\d+)([+-]-?\d+))?")
 _MODE_WORDS = {
@@ -55,7 +56,7 @@ def _words(args: tuple[Any, ...]) -> list[str]:
     if args and isinstance(args[0], int):
         count, args = args[0], args[1:]
         if count != len(args):
-            raise ValueError(f"glutInit: {count} arguments were announced, {len(args)} given")
+            raise ValueError(f"glutInit: {counted(count, 'argument')} announced, {len(args)} given")
     elif args and not isinstance(args[0], str | bytes):
         args = tuple(args[0])
     return [text("glutInit", "argument", word if isinstance(word, bytes) else str(word)) for word in args]

@@ -22,6 +22,7 @@ from domeshim.errors import DomeError
 from domeshim.measure.studio import Studio, Watch, end_at_once, run_off_screen
 from domeshim.options import Options
 from domeshim.program import run_program
+from domeshim.wording import counted
 
 if TYPE_CHECKING:
     from domeshim.session import Session
@@ -95,7 +96,7 @@ def main(arguments: Sequence[str]) -> None:
         tell(replies, {"failed": text})
         end_at_once(1)
 
-    watch = Watch(errand.timeout, lambda: fail(f"no picture came for {errand.timeout:g} seconds"))
+    watch = Watch(errand.timeout, lambda: fail(f"no picture came for {counted(errand.timeout, 'second')}"))
     on_dome = errand.settings is not None
     given = {**(errand.settings or {}), "enabled": str(int(on_dome))}
     try:
@@ -107,7 +108,7 @@ def main(arguments: Sequence[str]) -> None:
         )
     except DomeError as error:
         fail(str(error))
-    fail(f"the program ended after {session.frames} pictures")
+    fail(f"the program ended after {counted(session.frames, 'picture')}")
 
 
 if __name__ == "__main__":

@@ -14,6 +14,7 @@ from domeshim.errors import DomeError, OptionError
 from domeshim.options import settings_in_environment
 from domeshim.program import run_program
 from domeshim.session import Session
+from domeshim.wording import counted
 
 if TYPE_CHECKING:
     from domeshim.preview.dome import VirtualDome
@@ -122,7 +123,7 @@ def _first(path: Path, frame: int) -> Picture:
 
     files = _files(path)
     if frame > len(files):
-        raise OptionError(f"--frame={frame}: {path} has {len(files)} pictures")
+        raise OptionError(f"--frame={frame}: {path} has {counted(len(files), 'picture')}")
     return read_picture(files[frame - 1])
 
 

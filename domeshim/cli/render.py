@@ -21,6 +21,7 @@ from domeshim.errors import OptionError
 from domeshim.options import Options, settings_in_environment
 from domeshim.render.plan import SUFFIXES, Plan, Reel, parse_frames
 from domeshim.settings import LARGEST_SIDE
+from domeshim.wording import counted
 
 if TYPE_CHECKING:
     from domeshim.render.film import Films
@@ -200,7 +201,8 @@ def _tell(manifest: Manifest) -> None:
     for key, reason in list(manifest.failed.items())[:5]:
         startup.say(f"{key}: {reason}")
     if manifest.failed:
-        startup.say(f"{len(manifest.failed)} pictures could not be made; {manifest.path} names them all")
+        lacking = counted(len(manifest.failed), "picture")
+        startup.say(f"{lacking} could not be made; {manifest.path} names them all")
     if manifest.failed or manifest.notes:
         raise SystemExit(1)
 
@@ -213,7 +215,7 @@ def _check(folder: Path) -> None:
     for key, complaint in wrong.items():
         click.echo(f"{key}: {complaint}")
     total = len(manifest.plan.frames) * len(manifest.plan.eyes)
-    click.echo(f"{total - len(wrong)} of {total} pictures are as they were rendered")
+    click.echo(f"as they were rendered: {total - len(wrong)} of {counted(total, 'picture')}")
     if wrong:
         click.echo("remove what is wrong, and the same domeshim render makes it again")
         raise SystemExit(1)

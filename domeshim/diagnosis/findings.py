@@ -11,6 +11,7 @@ import numpy as np
 from domeshim.diagnosis.watching import Seen, watched
 from domeshim.measure.comparison import Program
 from domeshim.state.perspective import depth_range
+from domeshim.wording import counted
 
 SIZES = ((256, 256), (320, 320))
 _COPIES = ("glCopyTexImage2D", "glCopyTexSubImage2D", "glCopyPixels")
@@ -59,8 +60,8 @@ def _reading(seen: Seen) -> list[Finding]:
     reads, copies = counts.get("glReadPixels", 0), sum(counts.get(name, 0) for name in _COPIES)
     asked = min(counts.get("MODELVIEW", 0), counts.get("PROJECTION", 0))
     told: tuple[tuple[int, Sure, str], ...] = (
-        (reads, "perhaps", "it reads pixels {} times a picture: few are the monitor's, areas the dome's"),
-        (copies, "surely", "it copies from its window {} times a picture: that is the dome's frame"),
+        (reads, "perhaps", "it reads pixels {} a picture: few are the monitor's, areas the dome's"),
+        (copies, "surely", "it copies from its window {} a picture: that is the dome's frame"),
         (counts.get("glBindFramebuffer", 0), "perhaps", "it draws into framebuffers of its own"),
         (
             counts.get("gluNewNurbsRenderer", 0),
@@ -70,11 +71,11 @@ def _reading(seen: Seen) -> list[Finding]:
         (
             asked,
             "perhaps",
-            "it asks for both matrices {} times a picture: if that is to leave out what its own view does not"
+            "it asks for both matrices {} a picture: if that is to leave out what its own view does not"
             " show, that is missing beside the view on the dome",
         ),
     )
-    return [Finding(sure, words.format(count)) for count, sure, words in told if count]
+    return [Finding(sure, words.format(counted(count, "time"))) for count, sure, words in told if count]
 
 
 def _perspective(seen: Seen) -> list[Finding]:

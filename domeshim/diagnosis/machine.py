@@ -18,6 +18,7 @@ from typing import Any
 
 from domeshim.errors import DomeError
 from domeshim.measure.words import last_words
+from domeshim.wording import counted
 
 SCREENS = ("window", "offscreen")
 METHODS = ("vertex", "tessellate", "geometry", "cpu", "cubemap", "paper")
@@ -79,7 +80,7 @@ def _try_screen(screen: str) -> Trial:
     try:
         ended = subprocess.run(command, env=environ, capture_output=True, timeout=_TIMEOUT, check=False)
     except subprocess.TimeoutExpired:
-        return Trial(screen, False, f"nothing came for {_TIMEOUT:g} seconds")
+        return Trial(screen, False, f"nothing came for {counted(_TIMEOUT, 'second')}")
     if ended.returncode:
         return Trial(screen, False, last_words(ended.stderr, ended.returncode).removeprefix("domeshim: "))
     found = json.loads(ended.stdout.splitlines()[-1])

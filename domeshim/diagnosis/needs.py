@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from domeshim.shading.recipe import Lighting, Mapping, Recipe, Scene
+from domeshim.wording import counted
 
 _PLACES = {
     "modelview": "on the dome",
@@ -21,7 +22,7 @@ def needs(recipe: Recipe) -> list[str]:
     found += ["cube's face"] if mapping.face else []
     found += ["an eye beside the middle"] if mapping.beside else []
     found += [f"{mapping.clip} behind cut off"] if mapping.clip != "behind" else []
-    found += [f"{len(mapping.sides)} sides of the scissor"] if mapping.sides else []
+    found += [f"{counted(len(mapping.sides), 'side')} of the scissor"] if mapping.sides else []
     found += ["raster position"] if mapping.raster else []
     found += _lighting(scene.lighting) if scene.lighting is not None else []
     found += [f"{scene.normals} normals"] if scene.normals != "plain" else []

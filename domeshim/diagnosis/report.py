@@ -6,6 +6,7 @@ import textwrap
 from typing import Any
 
 from domeshim.diagnosis.watching import Seen
+from domeshim.wording import counted
 
 _WIDTH = 100
 _OTHERS = {
@@ -18,7 +19,7 @@ _OTHERS = {
 def explained(name: str, seen: Seen) -> str:
     """All that is known, the draws with the most vertices first."""
     total = sum(draw["vertices"] for draw in seen.draws)
-    head = f"{name}, picture {seen.frame}: {_many(len(seen.draws), 'way')} to draw, {total} vertices"
+    head = f"{name}, picture {seen.frame}: {counted(len(seen.draws), 'way')} to draw, {total} vertices"
     if seen.perspective is None:
         head += "; it sets no perspective"
     lines = [head]
@@ -32,7 +33,7 @@ def explained(name: str, seen: Seen) -> str:
 
 def _draw(number: int, draw: dict[str, Any]) -> list[str]:
     into = f"{draw['primitives']} primitives in, {draw['generated']} out"
-    lines = [f"{number}. {_many(draw['draws'], 'draw')}, {draw['vertices']} vertices, {into}"]
+    lines = [f"{number}. {counted(draw['draws'], 'draw')}, {draw['vertices']} vertices, {into}"]
     needs = ", ".join(draw["needs"]) or _OTHERS[draw["kind"]]
     lines += _wrapped("   needs     ", needs)
     if draw["left_out"]:
@@ -45,7 +46,3 @@ def _draw(number: int, draw: dict[str, Any]) -> list[str]:
 
 def _wrapped(lead: str, text: str) -> list[str]:
     return textwrap.wrap(text, _WIDTH, initial_indent=lead, subsequent_indent=" " * len(lead))
-
-
-def _many(number: int, thing: str) -> str:
-    return f"{number} {thing}" if number == 1 else f"{number} {thing}s"

@@ -8,6 +8,7 @@ from ctypes import byref, c_uint
 
 from domeshim.driver import Driver
 from domeshim.errors import DriverError
+from domeshim.wording import counted
 
 _FRAMEBUFFER, _READ, _DRAW, _RENDERBUFFER, _TEXTURE_2D = 0x8D40, 0x8CA8, 0x8CA9, 0x8D41, 0x0DE1
 _READ_BINDING, _DRAW_BINDING, _RENDERBUFFER_BINDING = 0x8CAA, 0x8CA6, 0x8CA7
@@ -103,7 +104,7 @@ class Atlas:
 
     def _check(self, samples: int) -> None:
         if self._driver.glCheckFramebufferStatus(_FRAMEBUFFER) != _COMPLETE:
-            size = f"{self.size[0]}x{self.size[1]} pixels with {samples} samples"
+            size = f"{self.size[0]}x{self.size[1]} pixels with {counted(samples, 'sample')}"
             raise DriverError(
                 f"this OpenGL has no framebuffer of {size}; ask for smaller: DOME_METHOD=cubemap:SIZE"
             )

@@ -9,6 +9,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from domeshim.wording import counted
+
 ORDERS = {"angle-to-radius": ("angle", "radius"), "radius-to-angle": ("radius", "angle")}
 """The columns of a file without a header, by the direction in which it was measured."""
 
@@ -77,7 +79,7 @@ def _from_columns(text: str, direction: str) -> list[Pair]:
             columns = _header(place, cells)
             continue
         if len(cells) != len(columns):
-            raise ValueError(f"{place}: {len(cells)} values where {len(columns)} are expected")
+            raise ValueError(f"{place}: {counted(len(cells), 'value')}, not {len(columns)}")
         row = {name: _number(place, cell) for name, cell in zip(columns, cells, strict=True)}
         found.append(Pair(place, row["angle"], row["radius"]))
     return found

@@ -6,6 +6,8 @@ import math
 from pathlib import Path
 from typing import Literal
 
+from domeshim.wording import counted
+
 ACCEPTED = (
     "dome, keystone:x0,y0,..,x3,y3 (the picture's lower left, lower right, upper right and upper left "
     "corner, each 0 to 1), cylinder:ANGLE[,BOTTOM,TOP] (degrees: over 0 to 340; elevations of its edges, -75 "
@@ -45,7 +47,7 @@ def _angles(text: str) -> tuple[float, float, float]:
     except ValueError:
         raise ValueError("not numbers") from None
     if len(angles) not in (1, 3):
-        raise ValueError(f"{len(angles)} numbers, not one or three")
+        raise ValueError(f"{counted(len(angles), 'number')}, not one or three")
     angle, bottom, top = angles if len(angles) == 3 else (*angles, *_USUAL_EDGES)
     if not 0 < angle <= WIDEST:
         raise ValueError(f"an angle that is not over 0 to {WIDEST:g} degrees")
@@ -62,7 +64,7 @@ def _corners(text: str) -> tuple[float, ...]:
     except ValueError:
         raise ValueError("not eight numbers") from None
     if len(corners) != 8:
-        raise ValueError(f"{len(corners)} numbers, not eight")
+        raise ValueError(f"{counted(len(corners), 'number')}, not eight")
     if not all(math.isfinite(number) and 0 <= number <= 1 for number in corners):
         raise ValueError("a corner outside of 0 to 1")
     turns = (_turn(corners, i) for i in range(4))

@@ -6,6 +6,7 @@ from itertools import pairwise
 from pathlib import Path
 
 from domeshim.lens.pairs import Pair, read_pairs
+from domeshim.wording import counted
 
 _FEWEST = 3
 _LARGEST = 2.0
@@ -26,7 +27,7 @@ def read_table(path: Path) -> tuple[float, ...]:
             raise ValueError(f"{pair.place}: the angle 0 has the radius {pair.radius:g} and not 0")
     points = [pair for pair in points if pair.angle > 0]
     if len(points) < _FEWEST:
-        raise ValueError(f"{len(points)} points off the axis; a table needs {_FEWEST} or more")
+        raise ValueError(f"{counted(len(points), 'point')} off the axis; a table needs {_FEWEST} or more")
     for before, after in pairwise([Pair("the axis", 0.0, 0.0), *points]):
         if after.angle == before.angle:
             raise ValueError(

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from domeshim.driver import Driver
 from domeshim.errors import DomeError
+from domeshim.wording import counted
 
 if TYPE_CHECKING:
     from domeshim.live.readback import Picture, Readback
@@ -117,7 +118,7 @@ class Audience:
             say(f"{recording.path}: {recording.error}")
         elif recording.taken:
             lost = f"; {recording.dropped} dropped, for encoding was slower" if recording.dropped else ""
-            say(f"{recording.taken} pictures recorded to {recording.path}{lost}")
+            say(f"{counted(recording.taken, 'picture')} recorded to {recording.path}{lost}")
 
     def _finish_reading(self) -> None:
         """Hand on what is still being read; the window must be current."""

@@ -15,6 +15,7 @@ from domeshim.measure.pixels import read_pixels
 from domeshim.measure.studio import Studio, Watch, end_at_once, run_off_screen
 from domeshim.options import Options
 from domeshim.session import Session
+from domeshim.wording import counted
 
 if TYPE_CHECKING:
     from domeshim.window.contract import Window
@@ -75,7 +76,7 @@ def photograph_by(
     if status is not None and not isinstance(status, int):
         sys.stderr.write(f"{status}\n")  # as Python prints what it is told to exit with
     hint = "" if status or session.frames else NO_PICTURE
-    progress = f"after {session.frames} pictures; picture {photographer.last} was wanted{hint}"
+    progress = f"after {counted(session.frames, 'picture')}; picture {photographer.last} was wanted{hint}"
     raise DomeError(f"the program ended {progress}")
 
 
@@ -119,8 +120,8 @@ class Photographer:
             end_at_once(0)
         frames = self._session.frames if self._session is not None else 0
         hint = "" if frames else NO_PICTURE
-        progress = f"after {frames} pictures; picture {self.last} was wanted{hint}"
-        startup.say(f"nothing came for {self._watch.timeout:g} seconds {progress}")
+        progress = f"after {counted(frames, 'picture')}; picture {self.last} was wanted{hint}"
+        startup.say(f"nothing came for {counted(self._watch.timeout, 'second')} {progress}")
         end_at_once(1)
 
 

@@ -22,6 +22,7 @@ from domeshim.errors import DomeError, ScreenError
 from domeshim.measure.face_program import FACES, MONITOR, UNFINISHED
 from domeshim.measure.match import Picture
 from domeshim.measure.words import last_words
+from domeshim.wording import counted
 
 PACKAGE = Path(__file__).parents[1]
 
@@ -95,7 +96,7 @@ class StockRuns:
                     check=False,
                 )
             except subprocess.TimeoutExpired:
-                raise NoPictureError(f"no picture within {self.timeout:g} seconds") from None
+                raise NoPictureError(f"no picture within {counted(self.timeout, 'second')}") from None
             if output.exists():
                 return _load(output)
         raise _failure(ended)

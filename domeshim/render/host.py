@@ -23,6 +23,7 @@ from domeshim.options import Options
 from domeshim.program import run_program
 from domeshim.render.plan import Reel
 from domeshim.render.wire import Header, next_order, send
+from domeshim.wording import counted
 
 if TYPE_CHECKING:
     from domeshim.session import Session
@@ -124,7 +125,7 @@ def main(arguments: Sequence[str]) -> None:
 
     side = reel.side
     drawn, delivered = _with_margin(reel.part or (0, 0, side, side), side)
-    watch = Watch(reel.timeout, lambda: fail(f"no picture came for {reel.timeout:g} seconds"))
+    watch = Watch(reel.timeout, lambda: fail(f"no picture came for {counted(reel.timeout, 'second')}"))
     try:
         session, _ = run_off_screen(
             partial(run_program, reel.program, reel.arguments, module=reel.module),
@@ -134,7 +135,7 @@ def main(arguments: Sequence[str]) -> None:
         )
     except DomeError as error:
         fail(str(error))
-    fail(f"the program ended after {session.frames} pictures")
+    fail(f"the program ended after {counted(session.frames, 'picture')}")
 
 
 if __name__ == "__main__":

@@ -55,8 +55,8 @@ def test_what_a_program_asks_for_and_how_sure_that_is(tmp_path):
     assert (result.returncode, result.stderr) == (0, "")
     told = " ".join(result.stdout.partition("prog.py:")[2].split())
     assert "surely it sets a viewport of 250x240 at 0,0 whatever the window's size" in told
-    assert "perhaps it reads pixels 1 times a picture" in told
-    assert "perhaps it asks for both matrices 1 times a picture" in told
+    assert "perhaps it reads pixels 1 time a picture" in told
+    assert "perhaps it asks for both matrices 1 time a picture" in told
     assert "surely its view is 40 degrees high" in told
     assert "perhaps its near plane, 20, is close to its far plane, 100" in told
 

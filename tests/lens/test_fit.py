@@ -148,7 +148,7 @@ def test_the_direction_is_that_of_columns_without_names(tmp_path):
     ("name", "text", "why"),
     [
         ("a.csv", "angle,pixels\n1,2\n", "line 1: the columns are angle, pixels; needed: angle, radius"),
-        ("a.csv", "1,2\n3\n", "line 2: 1 values where 2 are expected"),
+        ("a.csv", "1,2\n3\n", "line 2: 1 value, not 2"),
         ("a.csv", "1,2\n3,x\n", "line 2: x is not a number"),
         ("a.csv", "1,nan\n", "line 1: nan is not a finite number"),
         ("a.csv", "181,1\n", "line 1: an angle of 181 degrees is not within 0 to 180"),
