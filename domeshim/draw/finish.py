@@ -43,11 +43,11 @@ class Finish:
             self._mesh: Any = self._context.vertex_array(self._program, content, index)
             self._picture: Any = self._context.external_texture(self._copy.value, self._size, 4, 0, "f1")
             self._held = (self._mesh, content[0][0], index, self._program, self._context)
-        part = np.reshape(finishing.frame.square, (2, 2)) / self._size
-        self._program["part"].value = tuple(part.ravel().tolist())
-        self._program["fade"].value = finishing.fade
-        self._program["tone"].value = finishing.tone
-        self._program["picture"].value = 0
+            part = np.reshape(finishing.frame.square, (2, 2)) / self._size
+            self._program["part"].value = tuple(part.ravel().tolist())
+            self._program["fade"].value = finishing.fade
+            self._program["tone"].value = finishing.tone
+            self._program["picture"].value = 0
 
     def draw(self) -> None:
         """Put the window's back buffer, which holds the dome's picture, through the mesh."""

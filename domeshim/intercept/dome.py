@@ -68,16 +68,16 @@ class Dome(Draws):
     def window_closed(self, window: Window) -> None:
         """The window's context is about to go."""
         closed = self._windows.pop(window, None)
-        if closed is not None and closed.context.canvas.framebuffer:
+        if closed is not None and closed.holds_passes:
             self._free(closed, window)
         if self._current is closed:
             self.window_current(None)
 
     def _free(self, closed: WindowDome, window: Window) -> None:
-        """Free what a closing window's canvas holds; it need not be the current one."""
+        """Free what a closing window's passes hold; it need not be the current one."""
         current = self._session.window
         window.make_current()
-        closed.context.canvas.close()
+        closed.close()
         if current is not None and current is not window:
             current.make_current()
 

@@ -68,6 +68,18 @@ class WindowDome:
             self._finish = wanted, Finish(self.context.driver, wanted)
         self._finish[1].draw()
 
+    @property
+    def holds_passes(self) -> bool:
+        """It holds more of GL than goes with the window's context."""
+        return bool(self.context.canvas.framebuffer) or self._finish is not None
+
+    def close(self) -> None:
+        """Free what the passes over whole pictures hold of GL; the window must be current."""
+        self.context.canvas.close()
+        if self._finish is not None:
+            self._finish[1].close()
+            self._finish = None
+
     def before_finish(self, place: Floats) -> Floats:
         """Where a place (2,) of what is seen was before it was finished."""
         return self._finishing.before(place) if finishes(self._options) else place

@@ -191,6 +191,25 @@ def test_mirror_brightness_gamma_and_fade(beside):
     assert 0.4 < faded[middle].sum() / plain[middle].sum() < 0.6
 
 
+def test_closing_the_window_frees_what_finishes_its_pictures(beside):
+    with beside.window((SIZE, SIZE), fov=180.0, mirror="both") as finish:
+        points(beside.dome)
+        finish()
+        held = beside._dome._current._finish[1]
+        gl = beside.stock
+        assert gl.glGetIntegerv(gl.GL_CURRENT_PROGRAM) == 0
+        made = {
+            gl.glIsProgram: held._program.glo,
+            gl.glIsTexture: held._copy.value,
+            gl.glIsFramebuffer: held._framebuffer.value,
+        }
+        assert all(is_one(name) for is_one, name in made.items())
+        window = beside.session.window
+        beside.session.window_closed(window)
+        assert not any(is_one(name) for is_one, name in made.items())
+        beside.session.window_opened(window, (SIZE, SIZE))
+
+
 def test_hud_lies_beside_the_disc_and_the_rest_is_black(beside):
     def scene(gl):
         gl.glClearColor(0, 0, 1, 1)
