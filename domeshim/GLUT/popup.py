@@ -11,6 +11,8 @@ from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass
 
 from domeshim import session as sessions
+from domeshim.draw.over import way_cleared
+from domeshim.driver import Driver
 from domeshim.GLUT import constants as c
 from domeshim.GLUT.dispatch import call, make_current
 from domeshim.GLUT.families import outermost
@@ -20,20 +22,6 @@ ROW, LETTER, MARGIN = 18, 8, 6
 """Height of an entry, width of a letter (GLUT_BITMAP_8_BY_13) and space around the text, in pixels."""
 NEAR = 4
 """Pixels that the pointer may move in one click."""
-
-_OFF = (
-    "GL_LIGHTING",
-    "GL_FOG",
-    "GL_TEXTURE_1D",
-    "GL_TEXTURE_2D",
-    "GL_BLEND",
-    "GL_CULL_FACE",
-    "GL_DEPTH_TEST",
-    "GL_SCISSOR_TEST",
-    "GL_STENCIL_TEST",
-    "GL_ALPHA_TEST",
-    "GL_COLOR_LOGIC_OP",
-)
 
 
 @dataclass
@@ -209,24 +197,22 @@ def _flat_drawing(width: int, height: int) -> Iterator[None]:
     """Draw in pixels from the top left, in plain colours; then put back what the program had set."""
     from OpenGL import GL  # noqa: PLC0415 - its functions as they are overlaid now
 
-    program = GL.glGetIntegerv(GL.GL_CURRENT_PROGRAM)
-    GL.glUseProgram(0)
-    GL.glPushAttrib(GL.GL_ALL_ATTRIB_BITS)
-    for capability in _OFF:
-        GL.glDisable(getattr(GL, capability))
-    GL.glPolygonMode(GL.GL_FRONT_AND_BACK, GL.GL_FILL)
-    GL.glViewport(0, 0, width, height)
-    for stack in (GL.GL_PROJECTION, GL.GL_MODELVIEW):
-        GL.glMatrixMode(stack)
-        GL.glPushMatrix()
-        GL.glLoadIdentity()
-        if stack == GL.GL_PROJECTION:
-            GL.glOrtho(0, width, height, 0, -1, 1)
-    try:
-        yield
-    finally:
-        for stack in (GL.GL_MODELVIEW, GL.GL_PROJECTION):
+    program, mode = GL.glGetIntegerv(GL.GL_CURRENT_PROGRAM), GL.glGetIntegerv(GL.GL_MATRIX_MODE)
+    GL.glUseProgram(0)  # through the overlay: the dome minds which one is bound, and the matrix mode
+    with way_cleared(Driver()):
+        GL.glColorMask(1, 1, 1, 1)
+        GL.glViewport(0, 0, width, height)
+        for stack in (GL.GL_PROJECTION, GL.GL_MODELVIEW):
             GL.glMatrixMode(stack)
-            GL.glPopMatrix()
-        GL.glPopAttrib()
-        GL.glUseProgram(program)
+            GL.glPushMatrix()
+            GL.glLoadIdentity()
+            if stack == GL.GL_PROJECTION:
+                GL.glOrtho(0, width, height, 0, -1, 1)
+        try:
+            yield
+        finally:
+            for stack in (GL.GL_MODELVIEW, GL.GL_PROJECTION):
+                GL.glMatrixMode(stack)
+                GL.glPopMatrix()
+            GL.glMatrixMode(mode)
+    GL.glUseProgram(program)

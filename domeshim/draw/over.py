@@ -20,6 +20,7 @@ _IN_THE_WAY = (
     0x8C89,  # GL_RASTERIZER_DISCARD
     0x8037,  # GL_POLYGON_OFFSET_FILL
     *range(0x3000, 0x3008),  # GL_CLIP_PLANEi
+    0x0B50,  # GL_LIGHTING
     0x0B60,  # GL_FOG, which drawn pixels would get as well, and so the textures:
     0x0DE0,  # GL_TEXTURE_1D
     0x0DE1,  # GL_TEXTURE_2D

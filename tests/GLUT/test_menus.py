@@ -101,6 +101,7 @@ def test_an_open_menu_is_drawn_and_leaves_no_trace_in_gl(screen: WindowEvents, l
     menu_rows(log)
     GL.glMatrixMode(GL.GL_TEXTURE)
     GL.glEnable(GL.GL_LIGHTING)
+    GL.glColorMask(1, 0, 0, 1)
     click(screen, 20, 30, button=1)
     GLUT.glutMainLoopEvent()
     assert pictures[-1][31, 22].tolist() == [191, 191, 191]  # three quarters of white
@@ -108,6 +109,8 @@ def test_an_open_menu_is_drawn_and_leaves_no_trace_in_gl(screen: WindowEvents, l
     assert pictures[-1][29, 22].tolist() == [0, 0, 0]
     assert GL.glGetIntegerv(GL.GL_MATRIX_MODE) == GL.GL_TEXTURE
     assert GL.glIsEnabled(GL.GL_LIGHTING)
+    assert GL.glGetBooleanv(GL.GL_COLOR_WRITEMASK).tolist() == [1, 0, 0, 1]
+    GL.glColorMask(1, 1, 1, 1)
     click(screen, 250, 190)
     GLUT.glutMainLoopEvent()
     assert not pictures[-1].any()
