@@ -17,7 +17,7 @@ from domeshim.window.frame import Frame
 _TRIANGLES, _TRIANGLE_STRIP, _SCISSOR_TEST = 0x0004, 0x0005, 0x0C11
 _BEYOND = 4
 """So many pixels beyond the disc's square lines and points may reach where they are not blackened."""
-_RING = 2 * (128 + 1)
+_RING = 2 * (32 + 1)
 """Vertices of each ring that glsl/frame/rim.vert.glsl makes."""
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from abc import abstractmethod
+from functools import cached_property
 from typing import ClassVar
 
 import numpy as np
@@ -41,7 +42,7 @@ class RadialLens(Lens):
         """The radius, and what becomes of it."""
         return f"lens/{self.name}", "bend/radial"
 
-    @property
+    @cached_property
     def rim(self) -> float:
         """The radius of half the field of view, at most the inscribed circle's."""
         return min(1.0, float(self.radius(np.array(self.half))))

@@ -2,7 +2,7 @@
 // from there to beyond the frame.
 uniform vec3 domeDisc;
 uniform vec2 domeFrame;
-const int PIECES = 128;
+const int PIECES = 32;
 
 void main() {
     int ring = gl_VertexID / (2 * (PIECES + 1)) + gl_VertexID % 2;
