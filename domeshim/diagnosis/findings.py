@@ -66,7 +66,7 @@ def _reading(seen: Seen) -> list[Finding]:
         (
             counts.get("gluNewNurbsRenderer", 0),
             "perhaps",
-            "it draws by GLU's NURBS, from C",
+            "it draws by GLU's NURBS, from C: of these, only curves are subdivided",
         ),
         (
             asked,

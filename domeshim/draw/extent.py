@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,17 +12,19 @@ from numpy.typing import NDArray
 
 @dataclass(frozen=True)
 class Extent:
-    """A sphere around a mesh and its longest edge, in the mesh's own units."""
+    """A sphere around a mesh, its longest edge and its shortest line, in the mesh's own units."""
 
     centre: tuple[float, float, float]
     radius: float
     longest: float
+    shortest_line: float = math.inf
+    """Of the lines that have a length; infinite where there are none, or that makes no difference."""
 
     @classmethod
-    def of(cls, positions: NDArray[np.floating], longest: float) -> Extent:
-        """The extent of some vertices whose longest edge is known. positions: (n, 3 or 4)."""
+    def of(cls, positions: NDArray[np.floating], longest: float, shortest_line: float = math.inf) -> Extent:
+        """The extent of some vertices whose edges are known. positions: (n, 3 or 4)."""
         low, high = positions[:, :3].min(0), positions[:, :3].max(0)
-        return cls._of_box(low.tolist(), high.tolist(), longest)
+        return replace(cls._of_box(low.tolist(), high.tolist(), longest), shortest_line=shortest_line)
 
     @classmethod
     def unknown(cls) -> Extent:
@@ -85,6 +87,18 @@ class Extent:
         if not nearest > 0:
             return math.pi
         return 2 * math.atan(scale * self.longest / (2 * nearest))
+
+    def smallest_line(self, to_eye: Sequence[float]) -> float:
+        """About the angle, radians, of the shortest line where the mesh is farthest; 0 where in doubt.
+
+        to_eye: as for largest_angle.
+        """
+        matrix = np.reshape(to_eye, (4, 4)).T
+        if matrix[3, :3].any() or not matrix[3, 3] or not math.isfinite(self.radius):
+            return 0.0
+        scale = float(np.linalg.norm(matrix[:3, :3])) / math.sqrt(3)
+        farthest = float(np.linalg.norm(matrix[:3] @ (*self.centre, 1.0))) + scale * self.radius
+        return scale * self.shortest_line / farthest if farthest else 0.0
 
     def least_angle_from(self, direction: Sequence[float], to_eye: Sequence[float]) -> float:
         """No point is seen closer to a direction than this angle, radians; 0 where in doubt.

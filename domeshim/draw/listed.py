@@ -18,20 +18,22 @@ if TYPE_CHECKING:
 
 
 class ListedDraw:
-    """A draw in a display list that is made once for each of several views."""
+    """A draw in a display list that is made once for each of several views, or is a curve."""
 
-    def __init__(self, context: DomeContext, name: int, *, at_raster: bool) -> None:
-        """name: of GL's own list that holds it, and nothing beside it."""
+    def __init__(self, context: DomeContext, name: int, *, at_raster: bool, curve: bool) -> None:
+        """name: of GL's own list that holds it, and nothing beside it; curve: it is drawn as lines."""
         self._context = context
         self._name = name
         self._at_raster = at_raster
+        self._curve = curve
 
     def __call__(self) -> None:
         """Make it."""
         if self._at_raster:
             self._context.draw_at_raster(partial(self._context.driver.glCallList, self._name))
         else:
-            self._context.draw_list(self._name)
+            patch = self._context.subdividing.line_patch if self._curve else None
+            self._context.draw_list(self._name, patch)
 
     def names(self) -> list[int]:
         """The GL list, to be deleted with it."""
@@ -47,8 +49,8 @@ class ListedMesh:
         self._submitter = submitter
         self._lists = lists
         self._whole = lists.compile(lambda: submitter.draw_whole(run))
-        self._patches: Kept | None = None
-        """For any view that needs no split."""
+        self._patches: dict[tuple[object, bool], Kept] = {}
+        """By what draws them, for any view that needs no split."""
         self._in_view: Kept | None = None
         """For one view, which was the last, and what is shown there."""
         self._view: object = None
@@ -61,7 +63,7 @@ class ListedMesh:
 
     def names(self) -> list[int]:
         """The GL lists that it has made, to be deleted with it."""
-        kept = [kept for kept in (self._patches, self._in_view) if kept is not None]
+        kept = [*self._patches.values(), *([self._in_view] if self._in_view is not None else [])]
         parts = vars(self).get("_meshes", ())
         return [
             self._whole,
@@ -103,8 +105,10 @@ class ListedMesh:
         """
         context = self._context
         if not subdivision.split and filled(context) and not stippled(context):
-            self._patches = self._patches or self._keep(subdivision)
-            return self._patches.draw()
+            manner_of = (subdivision.method, subdivision.lengthened)
+            if manner_of not in self._patches:
+                self._patches[manner_of] = self._keep(subdivision)
+            return self._patches[manner_of].draw()
         view = (subdivision, manner(context), context.subdividing.to_eye.tobytes())
         if view != self._view:
             self._view = view

@@ -85,6 +85,14 @@ def longest_edge(positions: NDArray[np.floating], primitives: Indices) -> float:
     return float(longest) if np.isfinite(longest) else np.inf
 
 
+def shortest_line(positions: NDArray[np.floating], primitives: Indices) -> float:
+    """The length of the shortest line that has a length; infinite where there is none. As longest_edge."""
+    if primitives.shape[1] != 2:
+        return np.inf
+    lengths = longest_edges(positions[primitives, :3])
+    return float(lengths.min(initial=np.inf, where=lengths > 0))
+
+
 def longest_edges(corners: NDArray[np.floating]) -> NDArray[np.floating]:
     """The length of each primitive's longest edge; nan or inf without a place. corners: (m, 2 or 3, 3)."""
     with np.errstate(invalid="ignore"):

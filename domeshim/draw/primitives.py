@@ -20,6 +20,7 @@ from domeshim.draw.patches import (
     longest_edge,
     longest_edges,
     outlines,
+    shortest_line,
 )
 from domeshim.record.runs import Block, Run, stretches
 
@@ -73,7 +74,9 @@ def extent_of(run: Run) -> Extent | None:
         return None
     if run.positions.shape[1] == 4:
         return Extent.unknown()
-    return Extent.of(run.positions, max(longest_edge(run.positions, indices) for indices in primitives))
+    longest = max(longest_edge(run.positions, indices) for indices in primitives)
+    shortest = min(shortest_line(run.positions, indices) for indices in primitives)
+    return Extent.of(run.positions, longest, shortest)
 
 
 def taken(run: Run, indices: Indices) -> Run:

@@ -13,7 +13,7 @@ from domeshim.draw.primitives import FILL, Parts, extent_of, primitives_of, take
 from domeshim.draw.split import split_wide, triangles_under
 from domeshim.draw.strips import line_strips
 from domeshim.record.runs import Run
-from domeshim.shading.recipe import Patch
+from domeshim.shading.recipe import Patch, PatchMethod
 
 if TYPE_CHECKING:
     from domeshim.state.context import DomeContext
@@ -79,6 +79,8 @@ def subdivide(
             drawer.draw_all(POINTS, taken(run, indices), context.draw)
         elif kind == "lines" and (subdivision.method == "cpu" or stippled(context)):
             _draw_strips(run, indices, context, drawer)
+        elif subdivision.method is None and kind == "triangles":
+            drawer.draw_all(TRIANGLES, taken(run, indices), context.draw)
         elif subdivision.method == "cpu":
             _draw_triangles(taken(run, indices), context, drawer)
         else:
@@ -89,7 +91,9 @@ def subdivide(
 def _draw_patches(
     piece: Run, kind: Edged, context: DomeContext, drawer: Drawer, subdivision: Subdivision
 ) -> None:
-    patch = Patch(kind, "geometry" if subdivision.method == "geometry" else "tessellate", subdivision.split)
+    lengthened = subdivision.lengthened and kind == "lines"
+    method: PatchMethod = "geometry" if subdivision.method == "geometry" or lengthened else "tessellate"
+    patch = Patch(kind, method, subdivision.split, lengthened)
     if patch.split:
         piece = split_wide(piece, patch.corners, context.subdividing.to_eye, subdivision.limit)
     drawer.draw_all(patch.mode, piece, partial(context.draw, patch=patch))

@@ -133,16 +133,17 @@ class Draws:
         building.meshes += 1
         current.lists.keep_mesh(lambda: ListedMesh(run, current.context, current.submitter, current.lists))
 
-    def listed(self, draw: Callable[[], object], *, at_raster: bool = False) -> bool:
+    def listed(self, draw: Callable[[], object], *, at_raster: bool = False, curve: bool = False) -> bool:
         """Put a draw into the display list that is being built, as a part of its own; whether that is due.
 
-        It is where a draw is made more than once: what else is in the list must not be.
+        It is where a draw is made more than once, and for a curve, which is subdivided: what else is in the
+        list must not be.
         """
         current = self._current
-        if self.building is None or current is None or not current.context.several:
+        if self.building is None or current is None or not (curve or current.context.several):
             return False
         context, lists = current.context, current.lists
-        lists.keep_mesh(lambda: ListedDraw(context, lists.compile(draw), at_raster=at_raster))
+        lists.keep_mesh(lambda: ListedDraw(context, lists.compile(draw), at_raster=at_raster, curve=curve))
         return True
 
     def draw_arrays(self, mode: int, indices: range | Elements) -> bool:

@@ -36,6 +36,7 @@ _TOUCHED = frozenset(
 )
 """What the dome changes while it draws: before the program asks for one of these it is put back."""
 _SCISSOR_TEST = 0x0C11
+_LINE = 0x1B01
 _CURRENT_COLOR, _RENDER, _TEXTURE0, _PROJECTION = 0x0B00, 0x1C00, 0x84C0, 0x1701
 
 
@@ -67,6 +68,28 @@ def draw(dome: Dome, original: Call) -> Call:
         return None if dome.listed(drawn) else dome.context.draw(drawn)
 
     return call
+
+
+def draw_curve(dome: Dome, original: Call) -> Call:
+    """A call that draws lines whose vertices GL or GLU makes."""
+
+    def call(*args: Any, **named: Any) -> Any:
+        context = dome.context
+        if context is None:
+            return original(*args, **named)
+        dome.drawing()
+        drawn = partial(original, *args, **named)
+        if dome.listed(drawn, curve=True):
+            return None
+        return context.draw(drawn, context.subdividing.line_patch)
+
+    return call
+
+
+def evaluated_curve(dome: Dome, original: Call) -> Call:
+    """glEvalMesh1."""
+    points, lines = draw(dome, original), draw_curve(dome, original)
+    return lambda mode, *limits: (lines if int(mode) == _LINE else points)(mode, *limits)
 
 
 def read(dome: Dome, original: Call) -> Call:

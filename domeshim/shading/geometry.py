@@ -58,11 +58,12 @@ def _geometry(recipe: Recipe) -> Source:
     add_place(draft, recipe)
     add_edges(draft, recipe)
     draft.need(f"tessellate/{shape(recipe)}_weights")
-    draft.need(f"tessellate/{shape(recipe)}.geom")
+    draft.need(f"tessellate/{'lengthened_' if patch.lengthened else ''}{shape(recipe)}.geom")
     if patch.split:
         draft.need("tessellate/piece.geom")
     add_vertex(draft, recipe, "domeShare")
-    draft.add("EmitVertex();")
+    if not patch.lengthened:
+        draft.add("EmitVertex();")
     return draft.source(VERSION, _limits(recipe))
 
 

@@ -32,6 +32,8 @@ class Patch(NamedTuple):
     method: PatchMethod = "tessellate"
     split: bool = False
     """Pieces of larger primitives: each vertex has the larger one's corner, and tells where its own lies."""
+    lengthened: bool = False
+    """Lines by method geometry that are shorter than a pixel are made as long as one."""
 
     @property
     def corners(self) -> int:

@@ -10,7 +10,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from domeshim.draw.extent import Boxes, Extent
+from domeshim.draw.subdivide import stippled
 from domeshim.options import Options
+from domeshim.shading.recipe import Patch
 from domeshim.state.perspective import Matrix
 from domeshim.state.placement import Placement
 from domeshim.state.subdivision import Method, Subdivision, Tolerance, method_of
@@ -21,6 +23,9 @@ if TYPE_CHECKING:
     from domeshim.state.context import DomeContext
 
 _MODELVIEW_MATRIX, _PROJECTION_MATRIX = 0x0BA6, 0x0BA7
+_RENDERER, _SAMPLES = 0x1F01, 0x80A9
+_SHORT = 2.0
+"""So many pixels of an average width a line is long that is surely longer than one of any width."""
 
 
 class Subdividing:
@@ -50,8 +55,43 @@ class Subdividing:
         placement = self._context.seen.placement
         if placement.hud and self._options.hud != "panel":
             return None
-        own = self._context.own.current
         to_eye = self._to_eye(placement)
+        needed = self._needed(extent, to_eye)
+        if not self._may_vanish(extent, to_eye):
+            return needed
+        if needed is None:
+            needed = Subdivision(None, self.tolerance.limit(math.pi), split=False)
+        return needed._replace(lengthened=True)
+
+    def _may_vanish(self, extent: Extent, to_eye: Sequence[float]) -> bool:
+        """Some line may be shorter than a pixel, and the driver would leave it out."""
+        if extent.shortest_line == math.inf or self._context.own.current is not None:
+            return False
+        return self._leaves_out_short and extent.smallest_line(to_eye) < _SHORT * self.tolerance.pixel
+
+    @cached_property
+    def _leaves_out_short(self) -> bool:
+        """Mesa's CPU driver leaves out a multisampled line that no border between two pixels crosses."""
+        gl = self._context.driver
+        return self._makes_lines and b"llvmpipe" in gl.glGetString(_RENDERER) and gl.integer(_SAMPLES) > 1
+
+    @cached_property
+    def _makes_lines(self) -> bool:
+        """Geometry shaders may make lines of lines."""
+        return self.method in ("tessellate", "geometry") and self._context.driver.version >= (3, 2)
+
+    @property
+    def line_patch(self) -> Patch | None:
+        """How lines are drawn whose vertices GL makes for itself: in pieces, where a shader can do that."""
+        context = self._context
+        if not self.minds_edges or not self._makes_lines or context.own.current is not None:
+            return None
+        if (context.seen.placement.hud and self._options.hud != "panel") or stippled(context):
+            return None
+        return Patch("lines", "geometry", lengthened=self._leaves_out_short)
+
+    def _needed(self, extent: Extent, to_eye: Sequence[float]) -> Subdivision | None:
+        own = self._context.own.current
         if extent.surely_seen_from(to_eye, self.tolerance.far):
             return None
         angle = extent.largest_angle(to_eye)

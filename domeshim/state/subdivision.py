@@ -39,11 +39,14 @@ _SEATED = 0.25
 class Subdivision(NamedTuple):
     """What a mesh needs to keep the tolerance."""
 
-    method: Method
+    method: Method | None
+    """None: every edge is near enough as one straight piece."""
     limit: Limit
     """Up to what angle the method draws an edge well."""
     split: bool
     """Some edge may be wider, and is to be halved first."""
+    lengthened: bool = False
+    """Some line may be shorter than a pixel, and the driver would leave it out."""
 
 
 def method_of(wanted: str, driver: Driver, say: Callable[[str], None]) -> Method | None:
@@ -69,6 +72,10 @@ class Tolerance:
         self._method = method
         self._always = options.method in ("tessellate", "geometry")
         _, _, width, height = frame.square
+        self.half = (width / 2, height / 2)
+        """Half of the disc's square, in pixels."""
+        self.pixel = math.radians(options.fov) / width
+        """The angle of a pixel, on average."""
         radius = width / 2 * (frame.keystone.stretch if frame.keystone else 1.0)
         shape = (1.0, height / width)
         self.detail = pieces_per_radian(lens, radius, options.tolerance, orientation, shape)

@@ -122,6 +122,8 @@ class Wardrobe:
         self._sent[outfit.program.name] = (look.placement, look.edges, tolerance)
         if look.patch is not None:
             outfit.program.set("domeDetail", (tolerance.detail,))
+            if look.patch.lengthened:
+                outfit.program.set("domeHalf", tolerance.half)
             if outfit.mapping.near_behind:
                 outfit.program.set("domeAft", (*tolerance.aft, tolerance.least))
         for name, values in self._uniforms(outfit.mapping, look, tolerance):

@@ -53,6 +53,8 @@ class Beside:
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         """Where pictures that differ are kept."""
+        self.surface = SurfaceFormat()
+        """What the windows hold."""
         self.backend = OffscreenBackend()
         self.options = Options(enabled=True, fov=FOV, panel=FOV)
         self.stock = self._namespace()
@@ -142,7 +144,7 @@ class Beside:
             )
 
     def _open(self, size: tuple[int, int]) -> Any:
-        window = self.backend.open_window("test", size, None, SurfaceFormat(), WindowEvents())
+        window = self.backend.open_window("test", size, None, self.surface, WindowEvents())
         window.make_current()
         return window
 
