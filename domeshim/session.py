@@ -148,6 +148,8 @@ class Session:
         self._cleared = False
         self.looked_back = False
         """The program needed a picture that was passed by."""
+        self.on_grid = False
+        """Tiles of a picture shall be what it is when drawn whole (see Frame); said before a window opens."""
 
     @property
     def backend(self) -> Backend:

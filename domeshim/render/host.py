@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from domeshim.window.contract import Window
     from domeshim.window.frame import Rectangle
 
-_MARGIN = 8
+_MARGIN, _SQUARE = 8, 64
 _NEWS_EVERY = 100
 """So many pictures are passed by before the owner hears of it."""
 
@@ -51,6 +51,7 @@ class Camera:
         """part: what is delivered of the pixels that there are."""
         self._part = part
         self._session = session
+        session.on_grid = True
         self._orders = orders
         self._replies = replies
         self._watch = watch
@@ -105,11 +106,13 @@ class Camera:
 def _with_margin(part: Rectangle, side: int) -> tuple[Rectangle, Rectangle]:
     """What is drawn for a part of a picture, and where the part lies in it.
 
-    Mesa leaves out pixels of wide lines at the border of what it draws to.
+    Mesa leaves out pixels of wide lines at the border of what it draws to, and at those of the squares that
+    it draws by, which it counts from the top left: so both have the same squares.
     """
     x, y, width, height = part
-    left, bottom = max(x - _MARGIN, 0), max(y - _MARGIN, 0)
-    right, top = min(x + width + _MARGIN, side), min(y + height + _MARGIN, side)
+    left, bottom = max((x - _MARGIN) // _SQUARE * _SQUARE, 0), max(y - _MARGIN, 0)
+    above = max((side - y - height - _MARGIN) // _SQUARE * _SQUARE, 0)
+    right, top = min(x + width + _MARGIN, side), side - above
     return (left, bottom, right - left, top - bottom), (x - left, y - bottom, width, height)
 
 

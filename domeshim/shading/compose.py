@@ -104,6 +104,9 @@ def add_surface(draft: Draft, mapping: Mapping) -> None:
     if mapping.keystone:
         draft.need("surface/keystone")
         draft.add("gl_Position = onSurface(gl_Position);")
+    if mapping.grid:
+        draft.need("surface/grid")
+        draft.add("gl_Position = onGrid(gl_Position);")
 
 
 def add_lens(draft: Draft, mapping: Mapping) -> None:

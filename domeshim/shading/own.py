@@ -43,7 +43,9 @@ void domeEmit() {
 }
 #define EmitVertex domeEmit
 """
-_NAMES = re.compile(r"\b(beside|bent|landed|onFace|lensRadius|aimed|inFront|insideViewport|onSurface)\b")
+_NAMES = re.compile(
+    r"\b(beside|bent|landed|onFace|lensRadius|aimed|inFront|insideViewport|onSurface|onGrid)\b"
+)
 
 
 @dataclass(frozen=True)
@@ -59,6 +61,8 @@ class Landing:
     """As an eye sees it that stands beside the viewer's middle."""
     keystone: bool = False
     """The disc's square goes to four corners."""
+    grid: bool = False
+    """Vertices are brought onto the driver's own steps within a pixel."""
 
 
 @dataclass(frozen=True)
@@ -129,6 +133,8 @@ def _before(stage: Stage, landing: Landing, *, cut: bool, planes: Planes) -> str
         names.append(f"aim/{landing.aim}")
     if landing.keystone:
         names.append("surface/keystone")
+    if landing.grid:
+        names.append("surface/grid")
     if cut:
         names += ["clip/panel"] if landing.face else [f"clip/{landing.clip}", "clip/panel"]
     if planes == "clip vertex":
@@ -171,6 +177,8 @@ def _land(landing: Landing, *, cut: bool, planes: Planes) -> str:
     lines.append("}")
     if landing.keystone:
         lines.append("if (domeMode > 0.5) gl_Position = domeOnSurface(gl_Position);")
+    if landing.grid:
+        lines.append("if (domeMode > 0.5) gl_Position = domeOnGrid(gl_Position);")
     return "\n".join(["void domeLand() {", *(f"    {line}" for line in lines), "}", ""])
 
 

@@ -123,6 +123,8 @@ class Mapping:
     """Onto the faces of a cube by plain perspectives, not through the lens."""
     keystone: bool = False
     """The disc's square goes to four corners."""
+    grid: bool = False
+    """Vertices are brought onto the driver's own steps within a pixel."""
     sides: tuple[int, ...] = ()
     """The scissor's edges that cut a view on the dome: 0 left, 1 right, 2 bottom, 3 top."""
     raster: Literal["point", "nowhere"] | None = None

@@ -50,11 +50,11 @@ class DomeContext:
         self.orientation = Orientation.of(options)
         self.placer = Placer(options, main)
         self.scene = SceneState(driver)
-        self.own = OwnPrograms(driver, options, self.lens, self.orientation, frame.keystone)
+        self.own = OwnPrograms(driver, options, self.lens, self.orientation, frame)
         self.compiling = False
         """A display list is being compiled: nothing of ours may get into it."""
         self._options = options
-        self._wardrobe = Wardrobe(driver, options, self.lens, self.orientation, frame.keystone)
+        self._wardrobe = Wardrobe(driver, options, self.lens, self.orientation, frame)
         self.binding = Binding(self)
         self.pixels = WindowPixels(self, options)
         self.subdividing = Subdividing(self, options)

@@ -9,7 +9,6 @@ import numpy as np
 
 from domeshim.driver import Driver
 from domeshim.lens.detail import cone
-from domeshim.lens.keystone import Keystone
 from domeshim.lens.landing import Lens
 from domeshim.lens.orientation import Orientation
 from domeshim.options import Options
@@ -20,6 +19,7 @@ from domeshim.state.perspective import Matrix, is_perspective, perspective_part,
 from domeshim.state.placement import Placement
 from domeshim.state.scene import GL_CLIP_PLANE0
 from domeshim.state.scissor import Edges
+from domeshim.window.frame import Frame
 
 _CURRENT_PROGRAM = 0x8B8D
 
@@ -33,21 +33,21 @@ class OwnPrograms:
         options: Options,
         lens: Lens,
         orientation: Orientation,
-        keystone: Keystone | None,
+        frame: Frame,
     ) -> None:
-        """keystone: of the frame."""
         self._driver = driver
         self._lens = lens
         self._orientation = orientation.turned_only if options.cubemap else orientation
         aim = self._orientation.aim
-        self._keystone = keystone
+        self._frame = frame
         self._landing = Landing(
             lens.snippets,
             aim,
             clip=lens.clip(exact=False),
             face=options.cubemap,
             beside=options.stereo != "off",
-            keystone=self._keystone is not None,
+            keystone=frame.keystone is not None,
+            grid=frame.on_grid and not options.cubemap,
         )
         self._programs: dict[int, OwnProgram] = {}
         self._stages: dict[int, FragmentStage] = {}
@@ -144,8 +144,8 @@ class OwnPrograms:
             own.set("domeLens", self._lens.uniform)
         for uniform, values in self._orientation.uniforms:
             own.set(uniform, values)
-        if self._keystone is not None:
-            own.set("domeKeystone", self._keystone.uniform)
+        for uniform, values in self._frame.uniforms:
+            own.set(uniform, values)
         if self._landing.clip != "behind" and not face:
             own.set("domeRim", cone(self._lens.left_out(np.inf)))
         own.set("domeEdges", edges.bounds)

@@ -7,7 +7,6 @@ from typing import NamedTuple
 
 from domeshim.driver import Driver
 from domeshim.lens.detail import cone
-from domeshim.lens.keystone import Keystone
 from domeshim.lens.landing import Lens
 from domeshim.lens.orientation import Orientation
 from domeshim.options import Options
@@ -22,6 +21,7 @@ from domeshim.state.placement import Placement
 from domeshim.state.scene import GL_CLIP_PLANE0, GL_COLOR_SUM
 from domeshim.state.scissor import Edges
 from domeshim.state.subdivision import Tolerance
+from domeshim.window.frame import Frame
 
 _VERTEX_PROGRAM_TWO_SIDE, _PROGRAM_POINT_SIZE, _RASTERIZER_DISCARD = 0x8643, 0x8642, 0x8C89
 _SHADE_MODEL, _FLAT = 0x0B54, 0x1D00
@@ -61,14 +61,13 @@ class Wardrobe:
         options: Options,
         lens: Lens,
         orientation: Orientation,
-        keystone: Keystone | None,
+        frame: Frame,
     ) -> None:
-        """keystone: of the frame."""
         self._driver = driver
         self._options = options
         self._lens = lens
         self._orientation = orientation.turned_only if options.cubemap else orientation
-        self._keystone = keystone
+        self._frame = frame
         self._programs: dict[Recipe, Program] = {}
         self._outfits: dict[tuple[object, ...], Outfit] = {}
         self._sent: dict[int, tuple[Placement, Edges, Tolerance]] = {}
@@ -149,7 +148,8 @@ class Wardrobe:
             near_behind=self._lens.singular and (self._options.fov > 180 or self._orientation.off_centre),
             face=self._options.cubemap,
             beside=self._options.stereo != "off" and place != "panel",
-            keystone=self._keystone is not None,
+            keystone=self._frame.keystone is not None,
+            grid=self._frame.on_grid and not self._options.cubemap,
             sides=() if place == "panel" else look.edges.inner,
             raster=None if not look.raster else "nowhere" if hidden else "point",
         )
@@ -186,9 +186,7 @@ class Wardrobe:
             uniforms.append(("domeDepth", planar(depth) if mapping.face else depth))
             if mapping.clip != "behind" and not mapping.face:
                 uniforms.append(("domeRim", cone(tolerance.left_out)))
-        if self._keystone is not None:
-            uniforms.append(("domeKeystone", self._keystone.uniform))
-        return [*uniforms, *self._orientation.uniforms]
+        return [*uniforms, *self._frame.uniforms, *self._orientation.uniforms]
 
 
 def _enables(recipe: Recipe) -> tuple[int, ...]:

@@ -18,6 +18,8 @@ Floats = NDArray[np.float64]
 Rectangle = tuple[int, int, int, int]
 """x, y, width, height in pixels, the origin at the bottom left as in glViewport."""
 
+_STEPS = 256
+"""Of a pixel: what drivers round a vertex's place to."""
 NO_QUAD = (
     "DOME_STEREO=quad: no window with a buffer for each eye could be had; "
     "accepted here: left, right, top-bottom, left-right"
@@ -48,6 +50,8 @@ class Frame:
     """What is drawn flat lies beside the disc, not over it."""
     whole: bool = False
     """There is no disc: the picture fills each part, as on a cylindrical screen."""
+    on_grid: bool = False
+    """Vertices are brought onto the driver's own steps within a pixel: tiles are then what the whole is."""
 
     @classmethod
     def of(
@@ -89,6 +93,17 @@ class Frame:
         radius = drawn / 2
         disc = left + right + radius - x, height - (bottom + up + radius - y), radius
         return replace(self, size=(width, height), disc=disc, keystone=keystone)
+
+    @property
+    def uniforms(self) -> list[tuple[str, tuple[float, ...]]]:
+        """What the dome's programs are told of it."""
+        found: list[tuple[str, tuple[float, ...]]] = []
+        if self.keystone is not None:
+            found.append(("domeKeystone", self.keystone.uniform))
+        if self.on_grid:
+            _, _, width, height = self.square
+            found.append(("domeGrid", (width / 2 * _STEPS, height / 2 * _STEPS)))
+        return found
 
     @property
     def outer(self) -> Rectangle:

@@ -95,6 +95,22 @@ def before():
     glPopMatrix()
 """
 """Wide lines, large points and text."""
+SHARDS = """
+import random
+def before():
+    clear()
+    glPushMatrix(); glLoadIdentity()
+    glShadeModel(GL_FLAT)
+    glBegin(GL_TRIANGLES)
+    for _ in range(20000):
+        x, y, z = (random.uniform(-4, 4) for _ in "xyz")
+        glColor3f(*(random.random() for _ in "rgb"))
+        for _ in range(3):
+            glVertex3f(x + random.uniform(-0.1, 0.1), y + random.uniform(-0.1, 0.1), z)
+    glEnd()
+    glPopMatrix()
+"""
+"""Many edges, and nothing that is interpolated."""
 LISTS = """
 def before():
     clear()

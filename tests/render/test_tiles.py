@@ -12,7 +12,7 @@ from domeshim.render.plan import Plan
 from domeshim.render.show import Alone, render
 from domeshim.window.frame import Frame
 from tests.render.conftest import contents
-from tests.render.programs import CLEARS, PAINTS
+from tests.render.programs import CLEARS, PAINTS, SHARDS
 
 OPTIONS = {"hud": "panel", "fov": "200"}
 
@@ -43,8 +43,17 @@ def test_averaged_tiles(whole, progress):
     tiled = replace(fine, tile=100, output=whole.output.with_name("tiled"))
     for plan in (fine, tiled):
         render(plan, Alone(), progress)
-    # Single samples at edges fall to the other side (docs/limits.md): small steps of shade, once averaged.
-    assert (np.abs(picture(tiled) - picture(fine)).max(-1) > 1).mean() < 0.003
+    assert np.abs(picture(tiled) - picture(fine)).max() <= 1
+
+
+def test_every_edge_falls_to_the_same_side(make_plan, progress):
+    whole, tiled = (
+        make_plan(2, 2, name, SHARDS, size=1024, tile=tile) for name, tile in (("whole", 0), ("tiled", 600))
+    )
+    for plan in (whole, tiled):
+        render(replace(plan, reel=replace(plan.reel, side=1024)), Alone(), progress)
+    assert (picture(whole).max(-1) > 0).mean() > 0.1
+    assert np.array_equal(picture(tiled), picture(whole))
 
 
 def test_a_row_of_pictures_in_tiles(make_plan, progress):
