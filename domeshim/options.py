@@ -70,6 +70,12 @@ class Options:
         return self.hud in ("flat", "side")
 
     @property
+    def finishes(self) -> bool:
+        """The finished pictures are drawn once more: through a mesh, mirrored, or in another light."""
+        plain = (self.mirror, self.fade, self.brightness, self.gamma) == ("off", 0.0, 1.0, 1.0)
+        return self.surface[0] == "mesh" or not plain
+
+    @property
     def cubemap(self) -> bool:
         """The method is cubemap."""
         return self.method.startswith("cubemap")

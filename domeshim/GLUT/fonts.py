@@ -9,15 +9,15 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from OpenGL import GL
 
-from domeshim.GLUT.arrays import draw_lines
-from domeshim.GLUT.typefaces.faces import BitmapFace, StrokeFace
-from domeshim.GLUT.typefaces.layout import Lettering, lettering
 from domeshim.GLUT.typefaces.load import typefaces
 from domeshim.GLUT.typefaces.names import FONTS, font_of
+
+if TYPE_CHECKING:
+    from domeshim.GLUT.typefaces.faces import BitmapFace, StrokeFace
 
 __all__ = [
     "GLUT_BITMAP_8_BY_13",
@@ -97,14 +97,14 @@ def glutStrokeCharacter(font: object, character: object) -> None:
     """Draw one character in lines at the origin, and translate the current matrix by its width."""
     face, code = _stroke_face(font), _code(character)
     if face is not None and 0 <= code < 256:
-        _draw_strokes(lettering(face, (bytes([code]),)))
+        _draw_strokes(face, (bytes([code]),))
 
 
 def glutStrokeString(font: object, string: object) -> None:
     """Draw text in lines from the origin on, and translate the current matrix to its end."""
     face, lines = _stroke_face(font), _lines(string)
     if face is not None:
-        _draw_strokes(lettering(face, lines))
+        _draw_strokes(face, lines)
 
 
 def glutStrokeWidthf(font: object, character: object) -> float:
@@ -163,7 +163,11 @@ _UNPACKING = (
 )
 
 
-def _draw_strokes(text: Lettering) -> None:
+def _draw_strokes(face: StrokeFace, lines: tuple[bytes, ...]) -> None:
+    from domeshim.GLUT.arrays import draw_lines  # noqa: PLC0415 - only a program that writes pays
+    from domeshim.GLUT.typefaces.layout import lettering  # noqa: PLC0415
+
+    text = lettering(face, lines)
     if text.lines.size:
         draw_lines(text.vertices, text.lines, text.strips)
     if any(text.end):

@@ -8,7 +8,6 @@ from domeshim import session as sessions
 from domeshim.errors import ScreenError
 from domeshim.GLUT import constants as c
 from domeshim.GLUT.complaints import fatal
-from domeshim.GLUT.composition import Composition
 from domeshim.GLUT.events import QueuedEvents
 from domeshim.GLUT.families import inside, outermost
 from domeshim.GLUT.state import GlutState, GlutWindow
@@ -59,6 +58,8 @@ def open_subwindow(
 
     Ends the program with one line where no context can be had.
     """
+    from domeshim.GLUT.composition import Composition  # noqa: PLC0415 - only with windows inside others
+
     session = sessions.current()
     outer = outermost(state, parent)
     on_dome = session.options.enabled

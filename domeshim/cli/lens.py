@@ -155,12 +155,11 @@ def _card(size: tuple[int, int], options: Options) -> Image:
     """The card as the projector gets it."""
     from PIL.Image import fromarray  # noqa: PLC0415 - where a picture is wanted
 
-    from domeshim.draw.finishing import finishes  # noqa: PLC0415
     from domeshim.lens.card import draw_card  # noqa: PLC0415
 
     frame = Frame.of(options, size, size)
     card = draw_card(frame, options)
-    if not finishes(options):
+    if not options.finishes:
         return card
     os.environ.update(WITHOUT_A_DISPLAY)
     from domeshim.draw.finished import finished  # noqa: PLC0415 - GL, where it is needed
@@ -170,7 +169,6 @@ def _card(size: tuple[int, int], options: Options) -> Image:
 
 def _show(options: Options, wanted: tuple[int, int]) -> None:
     from domeshim.draw.finished import finish_now  # noqa: PLC0415 - GL, where there is a window
-    from domeshim.draw.finishing import finishes  # noqa: PLC0415
     from domeshim.lens.card import draw_card  # noqa: PLC0415
     from domeshim.window.show import show as show_window  # noqa: PLC0415 - GL, where there is a window
 
@@ -182,7 +180,7 @@ def _show(options: Options, wanted: tuple[int, int]) -> None:
 
     try:
         show_window(
-            card, "domeshim: test card", wanted, options.display, finish if finishes(options) else None
+            card, "domeshim: test card", wanted, options.display, finish if options.finishes else None
         )
     except ScreenError as error:
         raise ScreenError(f"{error}; --output FILE writes the card without one") from None

@@ -17,12 +17,6 @@ from domeshim.window.frame import Frame
 Floats = NDArray[np.float64]
 
 
-def finishes(options: Options) -> bool:
-    """The user wants the finished pictures drawn once more."""
-    plain = (options.mirror, options.fade, options.brightness, options.gamma) == ("off", 0.0, 1.0, 1.0)
-    return options.surface[0] == "mesh" or not plain
-
-
 @dataclass(frozen=True)
 class Finishing:
     """One window's: the mesh that its pictures are drawn by, and their light."""

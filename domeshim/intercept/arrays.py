@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from domeshim.intercept.dome import Dome
-from domeshim.record.arrays import Elements
+
+if TYPE_CHECKING:
+    from domeshim.record.arrays import Elements
 
 Call = Callable[..., Any]
 

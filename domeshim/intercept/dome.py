@@ -12,9 +12,7 @@ import numpy as np
 from domeshim.errors import DriverError, OptionError
 from domeshim.intercept.draws import Draws
 from domeshim.intercept.window_dome import WindowDome
-from domeshim.state.comfort import looking_at
 from domeshim.state.context import DomeContext
-from domeshim.state.region import Region
 from domeshim.window.frame import Frame, Rectangle
 from domeshim.window.subwindow import SubWindow
 
@@ -22,6 +20,7 @@ if TYPE_CHECKING:
     from domeshim.driver import Driver
     from domeshim.lens.mesh import Floats
     from domeshim.session import Session
+    from domeshim.state.region import Region
     from domeshim.window.contract import Window
 
 
@@ -122,10 +121,13 @@ class Dome(Draws):
     def look(self, places: Floats) -> None:
         """The program looks on from here; places: (3, 3), gluLookAt's eye, centre and up."""
         context = self.context
-        steady = context.placer.steady if context is not None else None
-        view = looking_at(*places) if steady is not None else None
-        if context is not None and steady is not None and view is not None:
-            steady.look(view, self._session.clock.now())
+        if context is None or context.placer.steady is None:
+            return
+        from domeshim.state.comfort import looking_at  # noqa: PLC0415 - with DOME_MAX_TURN
+
+        view = looking_at(*places)
+        if view is not None:
+            context.placer.steady.look(view, self._session.clock.now())
             context.viewport_changed()
 
     def pass_by(self, on: bool) -> None:

@@ -15,7 +15,6 @@ from domeshim.draw.materials import material_run
 from domeshim.draw.subdivide import at_once
 from domeshim.draw.submit import Submitter
 from domeshim.driver import Driver
-from domeshim.record.arrays import Elements
 from domeshim.record.immediate import Immediate
 from domeshim.record.lists import Building, DisplayLists
 from domeshim.record.runs import Run
@@ -24,6 +23,7 @@ from domeshim.state.context import DomeContext
 if TYPE_CHECKING:
     from domeshim.draw.shape import Shape
     from domeshim.intercept.window_dome import WindowDome
+    from domeshim.record.arrays import Elements
     from domeshim.session import Session
 
 

@@ -42,7 +42,7 @@ class InnerModules:
             if not name.startswith(_INSIDE.get(public, ())) or name.startswith(EXTENSIONS):
                 continue
             covered = {
-                key: ours[key] for key, value in vars(module).items() if key in ours and callable(value)
+                key: ours[key] for key in ours.keys() & vars(module).keys() if callable(vars(module)[key])
             }
             if not covered or name in self._originals:
                 continue

@@ -79,10 +79,13 @@ class Overlay:
         self._rebound.clear()
 
     def _rebind(self) -> None:
+        originals = self._ours.keys()
         for module in tuple(sys.modules.values()):
             namespace = getattr(module, "__dict__", None)
             if namespace is None or _is_library(getattr(module, "__name__", "")):
                 continue
+            if originals.isdisjoint(map(id, tuple(namespace.values()))):
+                continue  # nearly all of them
             for key, value in tuple(namespace.items()):
                 original, ours = self._ours.get(id(value), (None, None))
                 if original is value and original is not None:

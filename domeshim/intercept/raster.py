@@ -9,9 +9,11 @@ import numpy as np
 
 from domeshim.intercept.dome import Dome
 from domeshim.intercept.state_calls import get as get_state
-from domeshim.state.monitor_raster import DISTANCE, POSITION
 
 Call = Callable[..., Any]
+
+_POSITION, _DISTANCE = 0x0B07, 0x0B09
+"""GL_CURRENT_RASTER_POSITION and GL_CURRENT_RASTER_DISTANCE."""
 
 
 def get(dome: Dome, original: Call) -> Call:
@@ -21,10 +23,10 @@ def get(dome: Dome, original: Call) -> Call:
     def answer(name: int, *args: Any) -> Any:
         found = call(name, *args)
         context = dome.context
-        if name not in (POSITION, DISTANCE) or context is None or not context.pixels.placed:
+        if name not in (_POSITION, _DISTANCE) or context is None or not context.pixels.placed:
             return found
         raster = context.pixels.raster
-        told = (raster.position if name == POSITION else raster.distance) if raster else None
+        told = (raster.position if name == _POSITION else raster.distance) if raster else None
         return found if told is None else _in_the_form_of(found, told)
 
     return answer

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from domeshim.intercept.dome import Dome
-from domeshim.shading.exchange import OwnProgram
+
+if TYPE_CHECKING:
+    from domeshim.shading.exchange import OwnProgram
 
 Call = Callable[..., Any]
 

@@ -2,23 +2,24 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import TYPE_CHECKING
 
-from domeshim.draw.arrays import ArrayDraws
 from domeshim.draw.card import TestCard
-from domeshim.draw.finishing import Finishing, finishes
 from domeshim.draw.rim import Rim
 from domeshim.draw.submit import Submitter
 from domeshim.driver import Driver
 from domeshim.options import Options
-from domeshim.record.arrays import ArrayReader
 from domeshim.record.lists import DisplayLists
 from domeshim.state.context import DomeContext
 from domeshim.window.frame import Frame
 
 if TYPE_CHECKING:
+    from domeshim.draw.arrays import ArrayDraws
     from domeshim.draw.finish import Finish
+    from domeshim.draw.finishing import Finishing
     from domeshim.lens.mesh import Floats
+    from domeshim.record.arrays import ArrayReader
 
 
 class WindowDome:
@@ -32,12 +33,24 @@ class WindowDome:
         self.context: DomeContext = DomeContext(options, frame, driver, main)
         self.lists = DisplayLists(driver, apart=self.context.several)
         self.submitter = Submitter(driver)
-        self.arrays = ArrayReader(driver)
-        self.array_draws = ArrayDraws(self.context, self.submitter)
         self.rim = Rim(driver)
         self.card = TestCard(driver, options)
         self._options = options
         self._finish: tuple[Finishing, Finish] | None = None
+
+    @cached_property
+    def arrays(self) -> ArrayReader:
+        """Reads the program's vertex arrays."""
+        from domeshim.record.arrays import ArrayReader  # noqa: PLC0415 - with the first draw from arrays
+
+        return ArrayReader(self.context.driver)
+
+    @cached_property
+    def array_draws(self) -> ArrayDraws:
+        """What is known of draws from them."""
+        from domeshim.draw.arrays import ArrayDraws  # noqa: PLC0415 - as above
+
+        return ArrayDraws(self.context, self.submitter)
 
     def end_frame(self) -> None:
         """The picture is complete: cut it at the rim. The window must be current."""
@@ -56,7 +69,7 @@ class WindowDome:
 
     def finish(self) -> None:
         """Make of the picture in the back buffer what the projector needs; the window must be current."""
-        if self.context.passing or not finishes(self._options):
+        if self.context.passing or not self._options.finishes:
             return
         self.context.undress()
         wanted = self._finishing
@@ -82,11 +95,13 @@ class WindowDome:
 
     def before_finish(self, place: Floats) -> Floats:
         """Where a place (2,) of what is seen was before it was finished."""
-        return self._finishing.before(place) if finishes(self._options) else place
+        return self._finishing.before(place) if self._options.finishes else place
 
     @property
     def _finishing(self) -> Finishing:
         """What the projector wants of this window's pictures."""
         if self._finish is None or self._finish[0].frame != self.context.frame:
+            from domeshim.draw.finishing import Finishing  # noqa: PLC0415 - as above
+
             return Finishing(self._options, self.context.frame)
         return self._finish[0]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from domeshim.lens.cylinder import Cylinder
 from domeshim.lens.landing import Lens
 from domeshim.lens.models import lens_of
 from domeshim.options import Options
@@ -12,6 +11,8 @@ def lens_chosen(options: Options) -> Lens:
     """The lens for the options, which were checked."""
     kind, numbers = options.surface
     if kind == "cylinder":
+        from domeshim.lens.cylinder import Cylinder  # noqa: PLC0415 - only for such a screen
+
         angle, bottom, top = map(float, numbers)
         return Cylinder(angle, bottom, top)
     return lens_of(*options.lens, options.fov)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import importlib
 import math
-import pkgutil
 from abc import abstractmethod
 from dataclasses import dataclass
 from typing import ClassVar
@@ -151,5 +151,6 @@ def lens_of(name: str, numbers: Numbers, fov: float) -> RadialLens:
 
     Raises LensError where there is none such.
     """
-    model: type[RadialLens] = pkgutil.resolve_name(f"domeshim.lens.{entry_of(name).model}")
+    module, _, kind = entry_of(name).model.partition(":")
+    model: type[RadialLens] = getattr(importlib.import_module(f"domeshim.lens.{module}"), kind)
     return model.of(numbers, fov)

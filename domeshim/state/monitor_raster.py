@@ -13,9 +13,7 @@ if TYPE_CHECKING:
     from domeshim.options import Options
     from domeshim.state.context import DomeContext
 
-POSITION, DISTANCE = 0x0B07, 0x0B09
-"""GL_CURRENT_RASTER_POSITION and GL_CURRENT_RASTER_DISTANCE."""
-_DEPTH_RANGE = 0x0B70
+_CURRENT_RASTER_POSITION, _DEPTH_RANGE = 0x0B07, 0x0B70
 
 
 @dataclass(frozen=True)
@@ -34,7 +32,7 @@ def monitor_raster(context: DomeContext, options: Options) -> Raster | None:
     It is found from where the position is on the dome now, by what is in force for drawing now. So after a
     bitmap it has moved by as much of the program's window as the bitmap takes on the dome.
     """
-    x, y, depth, w = context.driver.doubles(POSITION, 4)
+    x, y, depth, w = context.driver.doubles(_CURRENT_RASTER_POSITION, 4)
     placement, sight = context.seen.placement, context.pixels.sight
     if placement.hud and options.flat_hud:
         return Raster((*context.frame.from_flat(x, y), depth, w))

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from ctypes import c_float
+from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -12,14 +14,16 @@ from domeshim.lens.detail import cone
 from domeshim.lens.landing import Lens
 from domeshim.lens.orientation import Orientation
 from domeshim.options import Options
-from domeshim.shading.exchange import OwnProgram, link
-from domeshim.shading.fragments import FragmentStage
-from domeshim.shading.own import EDGE_DISTANCES, RIM_DISTANCE, Landing
 from domeshim.state.perspective import Matrix, is_perspective, perspective_part, planar
 from domeshim.state.placement import Placement
 from domeshim.state.scene import GL_CLIP_PLANE0
 from domeshim.state.scissor import Edges
 from domeshim.window.frame import Frame
+
+if TYPE_CHECKING:
+    from domeshim.shading.exchange import OwnProgram
+    from domeshim.shading.fragments import FragmentStage
+    from domeshim.shading.own import Landing
 
 _CURRENT_PROGRAM = 0x8B8D
 
@@ -38,17 +42,9 @@ class OwnPrograms:
         self._driver = driver
         self._lens = lens
         self._orientation = orientation.turned_only if options.cubemap else orientation
-        aim = self._orientation.aim
         self._frame = frame
-        self._landing = Landing(
-            lens.snippets,
-            aim,
-            clip=lens.clip(exact=False),
-            face=options.cubemap,
-            beside=options.stereo != "off",
-            keystone=frame.keystone is not None,
-            grid=frame.on_grid and not options.cubemap,
-        )
+        self._face = options.cubemap
+        self._beside = options.stereo != "off"
         self._programs: dict[int, OwnProgram] = {}
         self._stages: dict[int, FragmentStage] = {}
         self._last: tuple[Placement, Matrix, tuple[float, ...]] | None = None
@@ -59,8 +55,25 @@ class OwnPrograms:
         self.fragments: FragmentStage | None = None
         """The one that is bound, of fragment shaders alone."""
 
+    @cached_property
+    def _landing(self) -> Landing:
+        from domeshim.shading.own import Landing  # noqa: PLC0415 - only a program with GLSL of its own pays
+
+        return Landing(
+            self._lens.snippets,
+            self._orientation.aim,
+            clip=self._lens.clip(exact=False),
+            face=self._face,
+            beside=self._beside,
+            keystone=self._frame.keystone is not None,
+            grid=self._frame.on_grid and not self._face,
+        )
+
     def link(self, name: int, original: Callable[[], object]) -> None:
         """Link a program with its positions ending on the dome; original: the program's own call."""
+        from domeshim.shading.exchange import link  # noqa: PLC0415 - as above
+        from domeshim.shading.fragments import FragmentStage  # noqa: PLC0415
+
         linked = link(self._driver, name, self._landing, original)
         if self.fragments is not None and self.fragments.name == name:
             self.fragments = None
@@ -133,12 +146,14 @@ class OwnPrograms:
 
         edges: what the scissor leaves of the viewport; planes: the clip planes that the program has enabled.
         """
+        from domeshim.shading.own import EDGE_DISTANCES, RIM_DISTANCE  # noqa: PLC0415 - as above
+
         own = self.current
         assert own is not None
         panel = placement.place == "panel"
         own.set("domeMode", (2.0 if panel else 1.0,))
         own.set("domeFromClip", placement.view if panel else self._from_clip(placement, projection))
-        face = self._landing.face
+        face = self._face
         own.set("domeDepth", planar(placement.depth) if face else placement.depth)
         if not face:
             own.set("domeLens", self._lens.uniform)

@@ -6,13 +6,12 @@ Matrices are (4, 4) float64, rows by columns.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from domeshim.options import Options
-from domeshim.state.comfort import SteadyView
 from domeshim.state.perspective import (
     Matrix,
     depth_range,
@@ -21,6 +20,9 @@ from domeshim.state.perspective import (
     perspective_part,
 )
 from domeshim.window.frame import Frame, Rectangle
+
+if TYPE_CHECKING:
+    from domeshim.state.comfort import SteadyView
 
 _CAMERA = [0, 1, 3]
 """The rows of a projection that make x, y and w: all that decides a direction."""
@@ -91,7 +93,7 @@ class Placer:
         self.main = main or MainView()
         self.fills_dome = False
         """A main view has been drawn in this window."""
-        self.steady = SteadyView(options.max_turn) if options.max_turn is not None else None
+        self.steady = _steady_view(options)
         """What limits how fast the view turns, if anything."""
         self.on_modelview = False
         """A perspective went to the MODELVIEW stack: that matrix must be looked at as well."""
@@ -183,6 +185,14 @@ class Placer:
         view[:3] = main.turn @ np.linalg.solve(main.camera[_CAMERA, :3], window)
         view[3, 3] = 1
         return Placement("panel", tuple(view.T.ravel()), (0.0, 0.0), hud=self.has_perspective)
+
+
+def _steady_view(options: Options) -> SteadyView | None:
+    if options.max_turn is None:
+        return None
+    from domeshim.state.comfort import SteadyView  # noqa: PLC0415 - with DOME_MAX_TURN
+
+    return SteadyView(options.max_turn)
 
 
 def _is_rigid(turn: NDArray[np.floating]) -> bool:

@@ -12,7 +12,6 @@ from domeshim.lens.detail import pieces_per_radian, straight_behind
 from domeshim.lens.landing import Lens
 from domeshim.lens.orientation import Orientation
 from domeshim.options import Options
-from domeshim.shading.geometry import most_pieces
 from domeshim.shading.recipe import Scene
 from domeshim.window.frame import Frame
 
@@ -113,8 +112,12 @@ class Tolerance:
         if method is None or not (self._always or self.broken_by(angle, behind)):
             return None
         most = 1
-        if method != "cpu":
-            most = _MOST_PIECES if method == "tessellate" else most_pieces(scene(), "triangles")
+        if method == "tessellate":
+            most = _MOST_PIECES
+        elif method == "geometry":
+            from domeshim.shading.geometry import most_pieces  # noqa: PLC0415 - only this method pays
+
+            most = most_pieces(scene(), "triangles")
         widest = min(_WIDEST, most / self.detail)
         limit = self.limit(widest)
         return Subdivision(method, limit, angle > limit.at(behind))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from domeshim.driver import Driver
 from domeshim.lens.detail import cone
@@ -11,17 +11,18 @@ from domeshim.lens.landing import Lens
 from domeshim.lens.orientation import Orientation
 from domeshim.options import Options
 from domeshim.shading.compose import compose
-from domeshim.shading.fragments import FragmentStage
-from domeshim.shading.geometry import compose_geometry
 from domeshim.shading.program import Program
 from domeshim.shading.recipe import PIECE_ATTRIBUTES, Mapping, Patch, Recipe, Scene
-from domeshim.shading.tessellation import compose_tessellated
 from domeshim.state.perspective import planar
 from domeshim.state.placement import Placement
 from domeshim.state.scene import GL_CLIP_PLANE0, GL_COLOR_SUM
 from domeshim.state.scissor import Edges
 from domeshim.state.subdivision import Tolerance
 from domeshim.window.frame import Frame
+
+if TYPE_CHECKING:
+    from domeshim.shading.fragments import FragmentStage
+    from domeshim.shading.pieces import Stages
 
 _VERTEX_PROGRAM_TWO_SIDE, _PROGRAM_POINT_SIZE, _RASTERIZER_DISCARD = 0x8643, 0x8642, 0x8C89
 _SHADE_MODEL, _FLAT = 0x0B54, 0x1D00
@@ -159,8 +160,7 @@ class Wardrobe:
         shaders = fragments.shaders if fragments else ()
         if recipe.patch is None:
             return Program(self._driver, compose(recipe), attached=shaders)
-        compose_pieces = compose_geometry if recipe.patch.method == "geometry" else compose_tessellated
-        stages = compose_pieces(recipe)
+        stages = _compose_pieces(recipe, recipe.patch)
         return Program(
             self._driver,
             stages.vertex,
@@ -187,6 +187,16 @@ class Wardrobe:
             if mapping.clip != "behind" and not mapping.face:
                 uniforms.append(("domeRim", cone(tolerance.left_out)))
         return [*uniforms, *self._frame.uniforms, *self._orientation.uniforms]
+
+
+def _compose_pieces(recipe: Recipe, patch: Patch) -> Stages:
+    if patch.method == "geometry":
+        from domeshim.shading.geometry import compose_geometry  # noqa: PLC0415 - only what subdivides pays
+
+        return compose_geometry(recipe)
+    from domeshim.shading.tessellation import compose_tessellated  # noqa: PLC0415 - as above
+
+    return compose_tessellated(recipe)
 
 
 def _enables(recipe: Recipe) -> tuple[int, ...]:

@@ -7,19 +7,19 @@ from contextlib import contextmanager
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from domeshim.draw.clear import PartClear
 from domeshim.draw.over import way_cleared
 from domeshim.options import Options
-from domeshim.state.monitor_raster import Raster, monitor_raster
 from domeshim.state.perspective import planar
-from domeshim.state.pointer import Sight
 from domeshim.state.raster import Point
-from domeshim.state.region import Region, region_of
 from domeshim.state.scissor import Edges, in_view
 from domeshim.window.frame import Rectangle
 
 if TYPE_CHECKING:
+    from domeshim.draw.clear import PartClear
     from domeshim.state.context import DomeContext
+    from domeshim.state.monitor_raster import Raster
+    from domeshim.state.pointer import Sight
+    from domeshim.state.region import Region
 
 _SCISSOR_TEST, _COLOR_BUFFER_BIT = 0x0C11, 0x4000
 
@@ -61,6 +61,8 @@ class WindowPixels:
     @property
     def sight(self) -> Sight:
         """How the program's window lies on the dome, by the last main view that was drawn."""
+        from domeshim.state.pointer import Sight  # noqa: PLC0415 - only a program that is pointed at pays
+
         context = self._context
         view = context.placer.through_window(context.frame)
         paper = self._options.method == "paper"
@@ -69,6 +71,8 @@ class WindowPixels:
     @property
     def raster(self) -> Raster | None:
         """The raster position in the program's window; None where GL's own is the answer."""
+        from domeshim.state.monitor_raster import monitor_raster  # noqa: PLC0415 - hardly any program asks
+
         return monitor_raster(self._context, self._options)
 
     @property
@@ -79,6 +83,8 @@ class WindowPixels:
 
     def region(self, part: Rectangle) -> Region | None:
         """Which pixels of the frame show this part of the program's window; None: none do."""
+        from domeshim.state.region import Region, region_of  # noqa: PLC0415 - with windows inside others
+
         frame, placer = self._context.frame, self._context.placer
         if self.fills_dome:
             return Region((0, 0, *frame.size))
@@ -151,6 +157,8 @@ class WindowPixels:
 
     @cached_property
     def _part_clear(self) -> PartClear:
+        from domeshim.draw.clear import PartClear  # noqa: PLC0415 - only with a scissor
+
         context = self._context
         keystone = context.frame.keystone
         return PartClear(context.driver, context.lens, context.orientation, keystone)

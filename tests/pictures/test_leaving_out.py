@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import importlib.util
+import subprocess
+import sys
 from collections import Counter
 from contextlib import closing
+from pathlib import Path
 
 import pytest
 
@@ -169,3 +173,76 @@ def test_nothing_is_resolved_unless_the_window_is_multisampled(calls):
     assert not calls["glBlitFramebuffer"]
     assert not calls["glGenFramebuffers"]
     assert not calls["glGenTextures"]
+
+
+LEFT_OUT = (
+    *("click", "moderngl", "HersheyFonts", "PIL", "tqdm"),
+    *("domeshim.bench", "domeshim.cli", "domeshim.diagnosis", "domeshim.measure", "domeshim.preview"),
+    *("domeshim.render", "domeshim.live", "domeshim.window.show", "domeshim.window.virtual_time"),
+    *("domeshim.GLUT.composition", "domeshim.GLUT.typefaces.freeglut", "domeshim.GLUT.typefaces.faces"),
+    *("domeshim.GLUT.typefaces.layout", "domeshim.GLUT.typefaces.substitute"),
+    *("domeshim.draw.arrays", "domeshim.draw.atlas", "domeshim.draw.clear", "domeshim.draw.cubemap"),
+    *("domeshim.draw.finish", "domeshim.draw.finishing", "domeshim.draw.resampling", "domeshim.draw.tiles"),
+    *("domeshim.intercept.toolkits.pygame", "domeshim.intercept.toolkits.qt"),
+    *("domeshim.lens.card", "domeshim.lens.cylinder", "domeshim.lens.fit", "domeshim.lens.measured"),
+    *("domeshim.lens.mesh", "domeshim.lens.polynomials", "domeshim.lens.table"),
+    *("domeshim.record.arrays", "domeshim.shading.exchange", "domeshim.shading.fragments"),
+    *("domeshim.shading.geometry", "domeshim.shading.own", "domeshim.shading.pieces"),
+    *("domeshim.shading.tessellation", "domeshim.state.comfort", "domeshim.state.monitor_raster"),
+    *("domeshim.state.pointer", "domeshim.state.region"),
+)
+"""What a program of a few small triangles does not need."""
+GLUT_PROGRAM = """
+import sys
+from domeshim import startup
+from domeshim.options import Options
+from domeshim.session import Session
+from domeshim.window.offscreen import OffscreenBackend
+
+startup.run_under(Session(Options(enabled=True), backend=OffscreenBackend))
+from OpenGL.GL import *
+from OpenGL.GLU import *
+from OpenGL.GLUT import *
+
+def display():
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
+    glBegin(GL_TRIANGLES)
+    for x, y in ((-0.05, -0.05), (0.05, -0.05), (0, 0.05)):
+        glVertex3f(x, y, -2)
+    glEnd()
+    {more}
+    glutSwapBuffers()
+    sys.stdout.write(" ".join(sys.modules))
+    sys.exit()
+
+glutInit()
+glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB | GLUT_DEPTH)
+glutInitWindowSize(64, 64)
+glutCreateWindow("small")
+glMatrixMode(GL_PROJECTION)
+gluPerspective(60, 1, 0.1, 100)
+glMatrixMode(GL_MODELVIEW)
+glutDisplayFunc(display)
+glutMainLoop()
+"""
+
+
+def modules_of_a_program(more="pass"):
+    """What a GLUT program has loaded after its first picture; more: what else it draws."""
+    command = [sys.executable, "-c", GLUT_PROGRAM.format(more=more)]
+    root = Path(__file__).parents[2]
+    return set(subprocess.run(command, cwd=root, capture_output=True, text=True, check=True).stdout.split())
+
+
+def test_a_simple_program_loads_no_module_that_it_does_not_need():
+    assert [name for name in LEFT_OUT if importlib.util.find_spec(name) is None] == []
+    loaded = modules_of_a_program()
+    assert "domeshim.draw.rim" in loaded
+    assert sorted(loaded.intersection(LEFT_OUT)) == []
+
+
+def test_what_a_program_uses_is_loaded_then():
+    more = 'glutStrokeString(GLUT_STROKE_ROMAN, b"a"); glScissor(8, 8, 16, 16); glEnable(GL_SCISSOR_TEST)'
+    more += "; glClear(GL_COLOR_BUFFER_BIT); glGetFloatv(GL_CURRENT_RASTER_POSITION)"
+    used = {"domeshim.GLUT.typefaces.layout", "domeshim.draw.clear", "domeshim.state.monitor_raster"}
+    assert modules_of_a_program(more) >= used

@@ -5,12 +5,12 @@ from __future__ import annotations
 import ctypes
 import warnings
 from functools import lru_cache
+from typing import TYPE_CHECKING
 
 from OpenGL.platform import PLATFORM
 
-from domeshim.GLUT.typefaces.faces import Typefaces
-from domeshim.GLUT.typefaces.freeglut import UnreadableFontError, read_typefaces
-from domeshim.GLUT.typefaces.substitute import substitute_typefaces
+if TYPE_CHECKING:
+    from domeshim.GLUT.typefaces.faces import Typefaces
 
 
 @lru_cache(maxsize=1)
@@ -19,9 +19,14 @@ def typefaces() -> Typefaces:
 
     The latter case is said in a warning.
     """
+    from domeshim.GLUT.typefaces.freeglut import (  # noqa: PLC0415 - only a program that writes pays
+        UnreadableFontError,
+        read_typefaces,
+    )
+
     library = glut_library()
     if library is None:
-        return substitute_typefaces()
+        return _substitutes()
     try:
         return read_typefaces(library)
     except UnreadableFontError as error:
@@ -31,7 +36,15 @@ def typefaces() -> Typefaces:
             RuntimeWarning,
             stacklevel=2,
         )
-        return substitute_typefaces()
+        return _substitutes()
+
+
+def _substitutes() -> Typefaces:
+    from domeshim.GLUT.typefaces.substitute import (  # noqa: PLC0415 - Pillow where there is no freeglut
+        substitute_typefaces,
+    )
+
+    return substitute_typefaces()
 
 
 def glut_library() -> ctypes.CDLL | None:
