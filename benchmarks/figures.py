@@ -33,6 +33,7 @@ RADIUS = 512
 METHODS = ("paper", "vertex", "auto")
 SCENE = "temple.py"
 """Its floor, beams and sky are large polygons."""
+LEVELS = (("field.py", "lorenz"), ("temple.py",), ("teapots.py", "closest"))
 SIZE = 400
 
 Floats = NDArray[np.floating]
@@ -107,28 +108,30 @@ def draw_lenses() -> None:
 
 def draw_methods() -> None:
     """The same moment of one program by three methods, side by side."""
-    sheet = Image.new("RGB", ((SIZE + 8) * len(METHODS) - 8, SIZE), "white")
+    save_row([((SCENE,), ("--method", method)) for method in METHODS], "methods.png")
+
+
+def draw_levels() -> None:
+    """Programs coloured by how finely what they draw is subdivided."""
+    save_row([(program, ("--debug", "levels")) for program in LEVELS], "levels.png")
+
+
+def save_row(shots: list[tuple[tuple[str, ...], tuple[str, ...]]], name: str) -> None:
+    """Dome pictures side by side: (a demo and its arguments, the options of capture) each."""
+    sheet = Image.new("RGB", ((SIZE + 8) * len(shots) - 8, SIZE), "white")
     with tempfile.TemporaryDirectory() as folder:
-        for place, method in enumerate(METHODS):
-            taken = Path(folder, f"{method}.png")
-            options = [
-                "--method",
-                method,
-                "--size",
-                str(2 * SIZE),
-                "--timeout",
-                "600",
-                "--output",
-                str(taken),
-            ]
-            command = [sys.executable, "-m", "domeshim", "capture", *options]
-            subprocess.run([*command, str(ROOT / "demos" / SCENE)], check=True, stdout=subprocess.DEVNULL)
+        for place, ((demo, *arguments), options) in enumerate(shots):
+            taken = Path(folder, f"{place}.png")
+            command = [sys.executable, "-m", "domeshim", "capture", *options, "--size", str(2 * SIZE)]
+            command += ["--timeout", "600", "--output", str(taken), str(ROOT / "demos" / demo), *arguments]
+            subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
             picture = Image.open(taken).convert("RGB").resize((SIZE, SIZE), Image.Resampling.LANCZOS)
             sheet.paste(picture, ((SIZE + 8) * place, 0))
-    sheet.quantize(256).save(OUTPUT / "methods.png", optimize=True)
+    sheet.quantize(256).save(OUTPUT / name, optimize=True)
 
 
 if __name__ == "__main__":
     draw_pieces()
     draw_lenses()
     draw_methods()
+    draw_levels()

@@ -63,6 +63,8 @@ class Options:
     """The film of what is seen, if there shall be one from the start."""
     preview: bool = False
     """A virtual dome opens beside the program."""
+    debug: str = "off"
+    """levels: draws are coloured by the pieces that their edges are subdivided into."""
 
     @property
     def flat_hud(self) -> bool:
@@ -79,6 +81,11 @@ class Options:
     def cubemap(self) -> bool:
         """The method is cubemap."""
         return self.method.startswith("cubemap")
+
+    @property
+    def shows_levels(self) -> bool:
+        """Draws are coloured by how finely they are subdivided."""
+        return self.debug == "levels"
 
     @property
     def face_size(self) -> int | None:

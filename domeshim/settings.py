@@ -17,6 +17,8 @@ Place = tuple[float, float, float]
 Stereo = Literal["off", "left", "right", "top-bottom", "left-right", "quad"]
 STEREO: tuple[Stereo, ...] = ("off", "left", "right", "top-bottom", "left-right", "quad")
 
+DEBUG = ("off", "levels")
+
 
 @dataclass(frozen=True)
 class Said:
@@ -197,6 +199,7 @@ SETTINGS = {
     "keep_going": Setting("0 or 1", _flag),
     "record": Setting("a file to write, .mp4, .mov or .webm, in a folder that is there", str, _film),
     "preview": Setting("0 or 1", _flag),
+    "debug": Setting(", ".join(DEBUG), _choice(DEBUG)),
 }
 
 VARIABLES = {field: "DOME" if field == "enabled" else f"DOME_{field.upper()}" for field in SETTINGS}

@@ -68,7 +68,7 @@ def test_a_lens_file_is_looked_for_beside_the_config(config, tmp_path, monkeypat
     [
         ("fov = 180\ntitl = 30\n", "{}:2: titl: no such setting; probably meant: tilt"),
         ("DOME_TOLERENCE = 1", "{}:1: DOME_TOLERENCE: no such setting; probably meant: tolerance"),
-        ("xyzzy = 1", "{}:1: xyzzy: no such setting; accepted: brightness, disc, display, eyes, "),
+        ("xyzzy = 1", "{}:1: xyzzy: no such setting; accepted: brightness, debug, disc, display, eyes, "),
         ("dome = 1", "{}:1: dome: no such setting"),
         ("\n\nfov = 'wide'", "{}:3: fov=wide: not a number; accepted: degrees over 0 to 360"),
         ("tilt = 1\nfov = {{a = 1}}", "{}:2: fov: a dict; accepted: a string, a number, a list of numbers"),

@@ -102,6 +102,7 @@ def test_what_is_accepted(variable, text, field, value):
         ("DOME_KEEP_GOING", "2", "neither on nor off"),
         ("DOME_TOLERANCE", "0", "DOME_TOLERANCE=0: out of range; accepted: pixels, at least 0.01"),
         ("DOME_STEREO", "both", "DOME_STEREO=both: not known; accepted: off, left, right, top-bottom"),
+        ("DOME_DEBUG", "heat", "DOME_DEBUG=heat: not known; accepted: off, levels"),
         ("DOME_EYES", "-1", "DOME_EYES=-1: out of range; accepted: a length of at least 0"),
         ("DOME_CONFIG", "no.toml", "DOME_CONFIG='no.toml': No such file or directory; accepted: a dome.toml"),
         ("DOME_FVO", "180", "DOME_FVO: no such variable; probably meant: DOME_FOV"),

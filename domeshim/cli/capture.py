@@ -29,7 +29,7 @@ from domeshim.program import run_program
 @click.option("--output", required=True, type=click.Path(path_type=Path, dir_okay=False), help="A PNG file.")
 @click.option("--fps", **positive(60.0))
 @click.option("--timeout", **positive(60.0), help="Give up after so many real seconds without a picture.")
-@dome_options(FIELDS_OFF_SCREEN)
+@dome_options((*FIELDS_OFF_SCREEN, "debug"))
 @program
 def capture(prog: str, args: tuple[str, ...], module: bool, mode: str, **given: Any) -> Job:
     """Write one picture of a program, without a display, on a clock that counts frames."""

@@ -13,6 +13,7 @@ from domeshim.cli.settings import (
     FIELDS_OFF_SCREEN,
     FINISHES,
     dome_options,
+    in_own_colours,
     options_given,
     parse_window_size,
     positive,
@@ -83,7 +84,7 @@ def compare(
 
     if update and baseline is None:
         raise OptionError("--update: stores pictures in the folder of --baseline, which is not given")
-    options_given(True, given)  # a malformed one is told before anything runs
+    in_own_colours(options_given(True, given), "compare")  # a malformed one is told before anything runs
     settings = {field: text for field, text in given.items() if text is not None}
     stored = Baseline(baseline, update) if baseline is not None else None
     run = Program(prog, args, module, fps, timeout)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from domeshim.cli.settings import AS_TYPED, options_given, positive
+from domeshim.cli.settings import AS_TYPED, in_own_colours, options_given, positive
 
 if TYPE_CHECKING:
     from domeshim.diagnosis.findings import Finding
@@ -37,7 +37,7 @@ def doctor(
     from domeshim.diagnosis.machine import methods, screens  # noqa: PLC0415
     from domeshim.measure.comparison import NoExposureError, Program  # noqa: PLC0415
 
-    options_given(True, {})  # a malformed variable is told before anything runs
+    in_own_colours(options_given(True, {}), "doctor")  # a malformed variable is told before anything runs
     tried = screens()
     off_screen = any(trial.name == "offscreen" and trial.works for trial in tried)
     ways = methods() if off_screen else []

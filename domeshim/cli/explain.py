@@ -12,6 +12,7 @@ from domeshim.cli.settings import (
     AS_TYPED,
     FIELDS_OFF_SCREEN,
     dome_options,
+    in_own_colours,
     options_given,
     positive,
     program,
@@ -43,7 +44,7 @@ def explain(
     from domeshim.diagnosis.watching import watched  # noqa: PLC0415
     from domeshim.measure.comparison import Program  # noqa: PLC0415
 
-    options_given(True, given)  # a malformed one is told before anything runs
+    in_own_colours(options_given(True, given), "explain")  # a malformed one is told before anything runs
     settings: dict[str, Any] = {field: text for field, text in given.items() if text is not None}
     seen = watched(Program(prog, args, module, fps, timeout), frame, size, settings)
     click.echo(json.dumps(asdict(seen), indent=2) if as_json else explained(prog, seen))

@@ -32,4 +32,5 @@ MEANINGS = {
     "vsync": "Pictures in step with the display, or at once",
     "record": "A film of what the audience sees",
     "preview": "A virtual dome beside the program's window",
+    "debug": "What to show in place of the program's own colours",
 }

@@ -14,6 +14,7 @@ from domeshim.cli.settings import (
     FIELDS_OFF_SCREEN,
     Job,
     dome_options,
+    in_own_colours,
     options_given,
     positive,
 )
@@ -98,7 +99,7 @@ def _plan(prog: str, args: tuple[str, ...], given: dict[str, Any]) -> Plan:
     settings = {"hud": "off", "preset": "domemaster", **settings_in_environment(), **fields}
     if "config" in settings:
         settings["config"] = str(Path(settings["config"]).absolute())
-    options = options_given(True, settings)  # malformed ones are said here, not by a worker
+    options = in_own_colours(options_given(True, settings), "render")  # said here, not by a worker
     reel = Reel(
         prog if module else str(Path(prog).absolute()),
         args,

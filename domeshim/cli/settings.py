@@ -21,13 +21,13 @@ FIELDS = (
     *("config", "preset", "fov", "tilt", "heading", "roll", "seat", "projector", "radius", "lens"),
     *("method", "tolerance", "hud", "panel", "fill", "stereo", "eyes"),
     *("surface", "disc", "mirror", "fade", "brightness", "gamma", "max_turn"),
-    *("frame", "display", "vsync", "record", "preview"),
+    *("frame", "display", "vsync", "record", "preview", "debug"),
 )
 """The fields of Options that domeshim run can be told."""
 FIELDS_OFF_SCREEN = tuple(
-    field for field in FIELDS if field not in ("frame", "display", "vsync", "record", "preview")
+    field for field in FIELDS if field not in ("frame", "display", "vsync", "record", "preview", "debug")
 )
-"""Those that mean something where no window is shown."""
+"""Those that mean something where no window is shown, and colours are the program's."""
 FINISHES = ("stereo", "eyes", "surface", "disc", "mirror", "fade", "brightness", "gamma")
 """Those that make another picture of the dome's: for two eyes, another surface, another projector."""
 AS_TYPED = {"allow_interspersed_args": False}
@@ -65,6 +65,18 @@ def options_given(enabled: bool, given: Mapping[str, str | None]) -> Options:
     """
     texts = {field: text for field, text in given.items() if text is not None}
     return Options.from_environment(given={**texts, "enabled": str(int(enabled))})
+
+
+def in_own_colours(options: Options, command: str) -> Options:
+    """The options, which a command takes that looks at the program's own colours.
+
+    Raises OptionError where DOME_DEBUG shows others.
+    """
+    if options.debug != "off":
+        raise OptionError(
+            f"DOME_DEBUG={options.debug}: domeshim {command} is for a program's own colours; accepted: off"
+        )
+    return options
 
 
 def parse_window_size(option: str, text: str) -> tuple[int, int]:

@@ -1,4 +1,4 @@
-"""A picture from memory into the whole window."""
+"""A picture from memory into the window."""
 
 from __future__ import annotations
 
@@ -13,8 +13,11 @@ _RGB, _UNSIGNED_BYTE = 0x1907, 0x1401
 _DRAW_FRAMEBUFFER, _DRAW_FRAMEBUFFER_BINDING = 0x8CA9, 0x8CA6
 
 
-def paste(gl: Driver, picture: NDArray[np.uint8]) -> None:
-    """Draw a picture over all of the current window; (height, width, 3), the top row first."""
+def paste(gl: Driver, picture: NDArray[np.uint8], corner: tuple[int, int] = (0, 0)) -> None:
+    """Draw a picture over the current window; (height, width, 3), the top row first.
+
+    corner: where its lower left one goes, pixels from the window's.
+    """
     upright = np.ascontiguousarray(picture[::-1])
     framebuffer = gl.integer(_DRAW_FRAMEBUFFER_BINDING) if gl.has("glBindFramebuffer") else 0
     if framebuffer:
@@ -22,7 +25,7 @@ def paste(gl: Driver, picture: NDArray[np.uint8]) -> None:
     with way_cleared(gl), plain_transfer(gl):
         gl.glColorMask(1, 1, 1, 1)
         gl.glPixelZoom(1.0, 1.0)
-        gl.glWindowPos3f(0.0, 0.0, 0.0)
+        gl.glWindowPos3f(*corner, 0.0)
         gl.glDrawPixels(upright.shape[1], upright.shape[0], _RGB, _UNSIGNED_BYTE, upright.ctypes.data)
     if framebuffer:
         gl.glBindFramebuffer(_DRAW_FRAMEBUFFER, framebuffer)

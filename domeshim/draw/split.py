@@ -86,10 +86,11 @@ def split_wide(run: Run, corners: int, to_eye: Floats, limit: Limit) -> Run:
     return replace(run, positions=run.positions[chosen], attributes=attributes)
 
 
-def triangles_under(run: Run, to_eye: Floats, limit: Limit, *, flat: bool) -> Run:
+def triangles_under(run: Run, to_eye: Floats, limit: Limit, *, flat: bool, counting: bool = False) -> Run:
     """The same for triangles, as vertices of their own: all attributes are blended.
 
-    flat: what a colour is made of is the third corner's all over a triangle.
+    flat: what a colour is made of is the third corner's all over a triangle. counting: the result has the
+    attribute "pieces", of an edge, as many as make so many pieces of the whole triangle.
     """
     parents, places, weights = _pieces(run, 3, to_eye, limit)
 
@@ -101,6 +102,9 @@ def triangles_under(run: Run, to_eye: Floats, limit: Limit, *, flat: bool) -> Ru
         return mixed
 
     attributes = {name: blended(name, values) for name, values in run.attributes.items()}
+    if counting:
+        of_edges = np.ceil(np.sqrt(np.bincount(parents)))[parents]
+        attributes["pieces"] = np.repeat(of_edges, 3)[:, None].astype(np.float32)
     return replace(run, positions=places.reshape(-1, 4).astype(np.float32), attributes=attributes)
 
 

@@ -17,11 +17,14 @@ _MOST_PIECES = 1 << 14
 """Of one line: it may pass straight behind, where no number of even pieces would do."""
 
 
-def line_strips(run: Run, lines: Indices, to_eye: Floats, limit: Limit, *, flat: bool) -> Run:
+def line_strips(
+    run: Run, lines: Indices, to_eye: Floats, limit: Limit, *, flat: bool, counting: bool = False
+) -> Run:
     """Some lines of a run, each cut into even pieces within a limit.
 
     lines: (n, 2) indices of the run's vertices; one that begins where the one before ends goes on with its
-    strip. to_eye: (4, 4), the run's space to eye space; flat: each line has its second end's colour.
+    strip. to_eye: (4, 4), the run's space to eye space; flat: each line has its second end's colour;
+    counting: the result has the attribute "pieces", of each line.
     """
     positions = homogeneous(run.positions)
     lines = lines[np.isfinite(positions[lines]).all((1, 2))]
@@ -45,6 +48,8 @@ def line_strips(run: Run, lines: Indices, to_eye: Floats, limit: Limit, *, flat:
         name: blended(values, last if flat and makes_color(name) else weights).astype(np.float32)
         for name, values in run.attributes.items()
     }
+    if counting:
+        attributes["pieces"] = pieces[rows, None].astype(np.float32)
     stops = np.cumsum(counts)[ends].tolist()
     blocks = tuple(Block(LINE_STRIP, a, b) for a, b in zip([0, *stops], stops, strict=False))
     return Run(blended(positions, weights).astype(np.float32), attributes, blocks, constant=run.constant)

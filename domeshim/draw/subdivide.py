@@ -103,14 +103,32 @@ def _draw_triangles(piece: Run, context: DomeContext, drawer: Drawer) -> None:
     if context.scene.scene().lighting is not None:
         context.say_once("method cpu lights large polygons at more places than their own corners")
     limit = context.subdividing.tolerance.limit(1 / context.subdividing.tolerance.detail)
-    piece = triangles_under(drawer.completed(piece), context.subdividing.to_eye, limit, flat=_flat(context))
-    drawer.draw_all(TRIANGLES, piece, context.draw)
+    piece = triangles_under(
+        drawer.completed(piece),
+        context.subdividing.to_eye,
+        limit,
+        flat=_flat(context),
+        counting=context.shows_levels,
+    )
+    drawer.draw_all(TRIANGLES, piece, _drawing_cut("triangles", context))
 
 
 def _draw_strips(run: Run, lines: Indices, context: DomeContext, drawer: Drawer) -> None:
     limit = context.subdividing.tolerance.limit(1 / context.subdividing.tolerance.detail)
-    strips = line_strips(drawer.completed(run), lines, context.subdividing.to_eye, limit, flat=_flat(context))
-    drawer.draw_whole(strips, context.draw)
+    strips = line_strips(
+        drawer.completed(run),
+        lines,
+        context.subdividing.to_eye,
+        limit,
+        flat=_flat(context),
+        counting=context.shows_levels,
+    )
+    drawer.draw_whole(strips, _drawing_cut("lines", context))
+
+
+def _drawing_cut(kind: Edged, context: DomeContext) -> Making:
+    """What draws pieces that the CPU has made."""
+    return partial(context.draw, patch=Patch(kind, "cpu")) if context.shows_levels else context.draw
 
 
 def manner(context: DomeContext) -> tuple[object, ...]:

@@ -202,8 +202,8 @@ class Submitter:
                 gl.glFogCoordPointer(_FLOAT, 0, data)
             case "edge":
                 gl.glEdgeFlagPointer(0, data)
-            case "place" | "weights":
-                size = 4 if name == "place" else 3
+            case "place" | "weights" | "pieces":
+                size = {"place": 4, "weights": 3, "pieces": 1}[name]
                 gl.glVertexAttribPointer(PIECE_ATTRIBUTES[name], size, _FLOAT, 0, 0, data)
             case name:
                 active = gl.integer(_CLIENT_ACTIVE_TEXTURE)

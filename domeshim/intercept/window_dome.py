@@ -66,6 +66,10 @@ class WindowDome:
         context.settle()
         self.rim.draw(context.frame, context.lens.rim)
         self.card.draw(context.frame)
+        if context.shows_levels:
+            from domeshim.draw.levels import draw_legend  # noqa: PLC0415 - for those who look at levels
+
+            draw_legend(context.driver, context.frame)
 
     def finish(self) -> None:
         """Make of the picture in the back buffer what the projector needs; the window must be current."""

@@ -23,6 +23,7 @@ from domeshim.shading.snippets import snippet
 
 VERSION = "#version 130"
 """The oldest with clip distances."""
+_FACETS = "levels/facets.frag"
 
 
 @dataclass(frozen=True)
@@ -90,13 +91,32 @@ def add_attributes(draft: Draft, recipe: Recipe) -> None:
     _clip_planes(draft, recipe.scene)
     _sides(draft, recipe)
     _normal(draft, recipe.scene)
-    _color(draft, recipe.scene)
+    if recipe.levels is None:
+        _color(draft, recipe.scene)
+    elif recipe.levels != "patch":
+        add_level(draft, recipe, "domePieces" if recipe.levels == "cut" else "0.0")
     for texture in recipe.scene.textures:
         _texture(draft, texture)
     _fog(draft, recipe)
     if recipe.scene.point_attenuation:
         draft.need("point/attenuated")
         draft.add("gl_PointSize = pointSize(eye);")
+
+
+def add_level(draft: Draft, recipe: Recipe, pieces: str) -> None:
+    """The colour of a number of pieces; needs the statement that makes place before it."""
+    draft.need("levels/ramp")
+    draft.need("levels/seen")
+    if recipe.levels == "cut":
+        draft.need("levels/cut")
+    draft.add(
+        f"gl_FrontColor = ofPieces({pieces});", "domeSeen = place.xyz / (place.w != 0.0 ? place.w : 1.0);"
+    )
+
+
+def levels_fragment() -> Source:
+    """The fragment shader that shows colours by the number of pieces."""
+    return Source.join([(_FACETS, snippet(_FACETS))])
 
 
 def add_surface(draft: Draft, mapping: Mapping) -> None:

@@ -39,16 +39,17 @@ def compose_geometry(recipe: Recipe) -> Stages:
 @lru_cache(maxsize=64)
 def most_pieces(scene: Scene, kind: str) -> int:
     """How many pieces an edge may have: the more a scene's vertices carry, the fewer of them come out."""
-    vertices = _most_vertices(scene)
+    vertices = _most_vertices(Recipe(scene=scene))
     return vertices - 1 if kind == "lines" else math.isqrt(vertices + 1) - 1  # n rows have n (n + 2) vertices
 
 
-def _most_vertices(scene: Scene) -> int:
-    carried = varyings(Recipe(scene=scene))
+def _most_vertices(recipe: Recipe) -> int:
+    carried, scene = varyings(recipe), recipe.scene
     units = 1 + max((texture.unit for texture in scene.textures), default=-1)
     distances = max(_DISTANCES + len(scene.clip_planes), 1 + max(scene.clip_planes, default=0))
     colors = sum("Color" in varying for varying in carried)
-    components = 4 + 4 * colors + 4 * units + ("gl_FogFragCoord" in carried) + distances
+    colors, seen = (colors, 0) if recipe.levels is None else (1, 3)
+    components = 4 + 4 * colors + seen + 4 * units + ("gl_FogFragCoord" in carried) + distances
     return min(_COMPONENTS // components, _VERTICES)
 
 
@@ -73,6 +74,6 @@ def _limits(recipe: Recipe) -> str:
         [
             _PRECISE,
             f"#define DOME_MOST_PIECES {pieces}.0",
-            f"#define DOME_MOST_VERTICES {_most_vertices(recipe.scene)}",
+            f"#define DOME_MOST_VERTICES {_most_vertices(recipe)}",
         ]
     )

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from domeshim.shading.compose import Draft, Source, add_attributes, add_lens, add_surface
+from domeshim.shading.compose import Draft, Source, add_attributes, add_lens, add_level, add_surface
 from domeshim.shading.recipe import Patch, Recipe
 
 
@@ -84,6 +84,9 @@ def add_vertex(draft: Draft, recipe: Recipe, shares: str) -> None:
             draft.add(f"{varying} = gl_in[{patch.corners - 1}].{varying};")
         else:
             draft.add(f"{varying} = {_blend(weights, 'gl_in[{}].' + varying, patch)};")
+    if recipe.levels is not None:
+        draft.need(f"levels/{shape(recipe)}.{'geom' if patch.method == 'geometry' else 'tese'}")
+        add_level(draft, recipe, "pieces()")
     if recipe.scene.fog == "distance" and recipe.mapping.place == "modelview":
         draft.add("gl_FogFragCoord = length(place.xyz / place.w);")
 
@@ -133,6 +136,7 @@ def varyings(recipe: Recipe) -> list[str]:
         f"gl_{face}{kind}"
         for face in faces
         for kind in (["Color", "SecondaryColor"] if separate else ["Color"])
+        if recipe.levels is None
     ]
     found += [f"gl_TexCoord[{texture.unit}]" for texture in scene.textures]
     found += ["gl_FogFragCoord"] if scene.fog else []

@@ -14,19 +14,19 @@ Face = Literal["front", "back", "both"]
 
 MATERIAL_UNITS = {"emission": 3, "ambient": 4, "diffuse": 5, "specular": 6, "shininess": 7}
 """Which unit's texture coordinates carry each part of a material that is set inside glBegin..glEnd."""
-PIECE_ATTRIBUTES = {"place": 6, "weights": 7}
-"""The generic vertex attributes of a piece of a split primitive, by number.
+PIECE_ATTRIBUTES = {"place": 6, "weights": 7, "pieces": 6}
+"""The generic vertex attributes of a piece of a primitive, by number; pieces never goes with the others.
 
 Some drivers lay generic attributes over the built-in ones; these two lie over none.
 """
 
 
-PatchMethod = Literal["tessellate", "geometry"]
-"""Which shader subdivides."""
+PatchMethod = Literal["tessellate", "geometry", "cpu"]
+"""Which shader subdivides, or that the CPU has done so."""
 
 
 class Patch(NamedTuple):
-    """What a draw hands over to be subdivided on the GPU, and how."""
+    """What a draw hands over to be subdivided on the GPU, and how; or that it was on the CPU."""
 
     kind: Literal["triangles", "lines"]
     method: PatchMethod = "tessellate"
@@ -98,6 +98,11 @@ class Scene:
     secondary_color: bool = False
     point_attenuation: bool = False
 
+    @property
+    def uncoloured(self) -> Scene:
+        """The same without all that makes its colours."""
+        return Scene(clip_planes=self.clip_planes, point_attenuation=self.point_attenuation)
+
 
 Clip = Literal["behind", "cone", "wedge"]
 RADIAL = ("lens/equidistant", "bend/radial")
@@ -131,6 +136,10 @@ class Mapping:
     """For glRasterPos, which no clip distance stops: points that are cut off, or all, go out of sight."""
 
 
+Levels = Literal["whole", "cut", "patch"]
+"""What shows its level of subdivision: what has none, what the CPU has cut, a patch."""
+
+
 @dataclass(frozen=True)
 class Recipe:
     """A vertex program in full: the mapping and the scene."""
@@ -139,6 +148,8 @@ class Recipe:
     scene: Scene = Scene()
     patch: Patch | None = None
     """What is subdivided on the GPU, if anything."""
+    levels: Levels | None = None
+    """Colours are those of the number of pieces, not the scene's."""
     flat: bool = False
     """GL_FLAT: the pieces of a subdivided primitive all have the colour of its last vertex."""
 

@@ -18,7 +18,7 @@ from domeshim.lens.landing import Lens
 from domeshim.lens.orientation import Orientation
 from domeshim.options import Options
 from domeshim.shading.program import Program
-from domeshim.shading.recipe import Patch, Recipe, Scene
+from domeshim.shading.recipe import Levels, Patch, Recipe, Scene
 from domeshim.state.binding import Binding
 from domeshim.state.own_programs import OwnPrograms
 from domeshim.state.perspective import Matrix
@@ -54,6 +54,8 @@ class DomeContext:
         self.compiling = False
         """A display list is being compiled: nothing of ours may get into it."""
         self._options = options
+        self.shows_levels = options.shows_levels
+        """Draws are coloured by how finely they are subdivided."""
         self._wardrobe = Wardrobe(driver, options, self.lens, self.orientation, frame)
         self.binding = Binding(self)
         self.pixels = WindowPixels(self, options)
@@ -284,7 +286,7 @@ class DomeContext:
 
     def _put_on(self, seen: Seen, scene: Scene) -> None:
         placement, canvas = seen.placement, self.canvas
-        look = Look(placement, scene, seen.edges, self._patch, self._raster, self.own.fragments)
+        look = self._look_of(placement, scene, seen)
         if placement.hud and self._options.flat_hud:
             self.own.leave_straight()
             self.undress()
@@ -305,6 +307,14 @@ class DomeContext:
                 Dressing(program.name, outfit.enables, canvas.views, program, canvas.framebuffer), seen
             )
             self._wardrobe.send(outfit, look, self.subdividing.tolerance)
+
+    def _look_of(self, placement: Placement, scene: Scene, seen: Seen) -> Look:
+        cut = self._patch is not None and self._patch.method == "cpu"
+        patch = None if cut else self._patch
+        if not self.shows_levels:
+            return Look(placement, scene, seen.edges, patch, self._raster, self.own.fragments)
+        levels: Levels = "cut" if cut else "whole" if patch is None else "patch"
+        return Look(placement, scene, seen.edges, patch, self._raster, None, levels)
 
     def _flat_views(self, seen: Seen) -> Iterator[View]:
         """The program's window, undistorted, in each eye's part of the frame."""

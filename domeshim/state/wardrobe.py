@@ -10,9 +10,9 @@ from domeshim.lens.detail import cone
 from domeshim.lens.landing import Lens
 from domeshim.lens.orientation import Orientation
 from domeshim.options import Options
-from domeshim.shading.compose import compose
+from domeshim.shading.compose import compose, levels_fragment
 from domeshim.shading.program import Program
-from domeshim.shading.recipe import PIECE_ATTRIBUTES, Mapping, Patch, Recipe, Scene
+from domeshim.shading.recipe import PIECE_ATTRIBUTES, Levels, Mapping, Patch, Recipe, Scene
 from domeshim.state.perspective import planar
 from domeshim.state.placement import Placement
 from domeshim.state.scene import GL_CLIP_PLANE0, GL_COLOR_SUM
@@ -40,6 +40,7 @@ class Look(NamedTuple):
     patch: Patch | None
     raster: bool
     fragments: FragmentStage | None
+    levels: Levels | None = None
 
 
 @dataclass
@@ -93,6 +94,7 @@ class Wardrobe:
             edges.empty,
             look.patch,
             look.raster,
+            look.levels,
             flat,
             hidden,
         )
@@ -126,6 +128,10 @@ class Wardrobe:
                 outfit.program.set("domeHalf", tolerance.half)
             if outfit.mapping.near_behind:
                 outfit.program.set("domeAft", (*tolerance.aft, tolerance.least))
+        if look.levels is not None:
+            from domeshim.draw.levels import RAMP  # noqa: PLC0415 - for those who look at levels
+
+            outfit.program.set("domeRamp", RAMP)
         for name, values in self._uniforms(outfit.mapping, look, tolerance):
             outfit.program.set(name, values)
 
@@ -154,21 +160,27 @@ class Wardrobe:
             sides=() if place == "panel" else look.edges.inner,
             raster=None if not look.raster else "nowhere" if hidden else "point",
         )
-        return Recipe(mapping, look.scene, look.patch, flat=flat)
+        scene = look.scene if look.levels is None else look.scene.uncoloured
+        return Recipe(mapping, scene, look.patch, look.levels, flat=flat)
 
     def _build(self, recipe: Recipe, fragments: FragmentStage | None) -> Program:
         shaders = fragments.shaders if fragments else ()
+        fragment = levels_fragment() if recipe.levels is not None else None
+        numbered = recipe.levels == "cut" or (recipe.patch is not None and recipe.patch.split)
+        attributes = _PIECE if numbered else None
         if recipe.patch is None:
-            return Program(self._driver, compose(recipe), attached=shaders)
+            vertex = compose(recipe)
+            return Program(self._driver, vertex, fragment, attached=shaders, attributes=attributes)
         stages = _compose_pieces(recipe, recipe.patch)
         return Program(
             self._driver,
             stages.vertex,
+            fragment,
             control=stages.control,
             evaluation=stages.evaluation,
             geometry=stages.geometry,
             attached=shaders,
-            attributes=_PIECE if recipe.patch.split else None,
+            attributes=attributes,
         )
 
     def _uniforms(
