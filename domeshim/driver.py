@@ -60,6 +60,7 @@ _SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "glClientActiveTexture": (None, (_ENUM,)),
     "glGenVertexArrays": (None, (_INT, POINTER(c_uint))),
     "glBindVertexArray": (None, (_UINT,)),
+    "glDeleteVertexArrays": (None, (_INT, POINTER(c_uint))),
     "glNewList": (None, (_UINT, _ENUM)),
     "glEndList": (None, ()),
     "glCallList": (None, (_UINT,)),

@@ -2,52 +2,78 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
+import numpy as np
+from numpy.typing import NDArray
+
 from domeshim.draw.extent import Extent
-from domeshim.draw.primitives import Parts, extent_of, parts_of
+from domeshim.draw.primitives import extent_of, many_primitives
+from domeshim.draw.standing import AtOnce, Standing
 from domeshim.draw.subdivide import subdivide
 
 if TYPE_CHECKING:
     from domeshim.draw.submit import Submitter
     from domeshim.record.arrays import ArrayDraw
-    from domeshim.record.runs import Run
+    from domeshim.record.lists import DisplayLists
     from domeshim.state.context import DomeContext
 
 _MOST_KEPT = 1024
+_ELEMENT_BUFFER, _ELEMENT_BUFFER_BINDING, _UNSIGNED_INT = 0x8893, 0x8895, 0x1405
 
 
 class ArrayDraws:
     """The array draws of one context: how large each is, and what of them was read from buffers."""
 
-    def __init__(self, context: DomeContext, submitter: Submitter) -> None:
+    def __init__(self, context: DomeContext, submitter: Submitter, lists: DisplayLists) -> None:
         self._context = context
         self._submitter = submitter
+        self._lists = lists
         self._extents: dict[object, Extent | None] = {}
-        self._runs: dict[object, tuple[Run, Parts | None]] = {}
+        """Of draws from the program's memory, which may be written at any time."""
+        self._standing: dict[object, Standing] = {}
+        """Draws from buffers, of which all writing is heard of."""
 
     def buffers_changed(self) -> None:
         """The program has written to a buffer or deleted one."""
         self._extents.clear()
-        self._runs.clear()
+        for standing in self._standing.values():
+            standing.delete()
+        self._standing.clear()
 
     def subdivide(self, draw: ArrayDraw) -> bool:
-        """Draw in patches where an edge is too long for one piece; False where GL's own draw will do."""
+        """Draw in pieces where an edge is too long for one; False where GL's own draw will do."""
+        if len(self._extents) + len(self._standing) >= _MOST_KEPT:
+            self.buffers_changed()
+        return self._standing_of(draw).draw() if draw.buffered else self._subdivide_moving(draw)
+
+    def _standing_of(self, draw: ArrayDraw) -> Standing:
+        known = self._standing.get(draw.key)
+        if known is None:
+            by_number = partial(self._by_number, draw.numbers())
+            known = Standing(draw.read(), self._context, self._submitter, self._lists, by_number)
+            self._standing[draw.key] = known
+        return known
+
+    def _subdivide_moving(self, draw: ArrayDraw) -> bool:
         run = None
         if draw.key not in self._extents:
-            if len(self._extents) >= _MOST_KEPT:
-                self.buffers_changed()
             run = draw.read()
             self._extents[draw.key] = extent_of(run)
         extent = self._extents[draw.key]
         subdivision = self._context.subdividing.subdivision(extent) if extent is not None else None
         if subdivision is None:
             return False
-        if draw.key in self._runs:
-            run, parts = self._runs[draw.key]
-        else:
-            run = run or draw.read()
-            parts = parts_of(run)
-            if draw.buffered:
-                self._runs[draw.key] = run, parts
-        return subdivide(run, self._context, self._submitter, subdivision, parts)
+        run = run or draw.read()
+        drawer = AtOnce(self._submitter, partial(self._by_number, draw.numbers()))
+        return subdivide(run, self._context, drawer, subdivision, many_primitives(run))
+
+    def _by_number(self, program: NDArray[np.int64], mode: int, numbers: NDArray[np.uint32]) -> None:
+        """Draw from the program's own arrays; program: the number there of each vertex of the run."""
+        gl = self._context.driver
+        chosen = program[numbers].astype(np.uint32)
+        bound = gl.integer(_ELEMENT_BUFFER_BINDING)
+        gl.glBindBuffer(_ELEMENT_BUFFER, 0)
+        gl.glDrawElements(mode, chosen.size, _UNSIGNED_INT, chosen.ctypes.data)
+        gl.glBindBuffer(_ELEMENT_BUFFER, bound)

@@ -118,40 +118,58 @@ class Extent:
 
 
 @dataclass(frozen=True)
-class Boxes:
-    """Boxes around the parts of a mesh, and the longest edge of each, in the mesh's own units."""
+class Spheres:
+    """A sphere around each primitive of a mesh, and its longest edge, in the mesh's own units."""
 
-    low: NDArray[np.floating]
+    centres: NDArray[np.floating]
     """(n, 3)"""
-    high: NDArray[np.floating]
-    """(n, 3)"""
-    longest: NDArray[np.floating]
+    radii: NDArray[np.floating]
     """(n,)"""
+    longest: NDArray[np.floating]
+    """(n,); inf where a corner has no finite place."""
+
+    @classmethod
+    def of(cls, corners: NDArray[np.floating]) -> Spheres:
+        """Of primitives by their corners, (n, 2 or 3, 3)."""
+        sound = np.isfinite(corners).all((1, 2))
+        places = np.where(sound[:, None, None], corners, 0).astype(float)
+        centres = places.mean(1)
+        beside = places - centres[:, None]
+        edges = places - np.roll(places, 1, 1)
+        radii, longest = (np.sqrt((v * v).sum(-1).max(1)) for v in (beside, edges))
+        return cls(centres, radii, np.where(sound, longest, np.inf))
 
     def largest_angles(self, to_eye: NDArray[np.floating]) -> NDArray[np.floating]:
-        """No edge of a part subtends more than its angle, (n,), radians; pi where nothing better can be said.
+        """No edge of a primitive subtends more than its angle, (n,), radians; inf where it may be any.
 
-        to_eye: (4, 4), the mesh's own space to eye space. Closer than a sphere's bound where parts are long:
-        the viewer is taken into the mesh's space, where a box's distance is easily told. A matrix of singular
-        values s0 .. s2 leaves at least s2 of a distance and at most s0 of an edge.
+        to_eye: (4, 4), the mesh's own space to eye space. The viewer is taken into the mesh's space. A matrix
+        of singular values s0 .. s2 leaves at least s2 of a distance and at most s0 of an edge; and an edge of
+        length l, all of it farther away than d, subtends less than l / d.
         """
-        most = np.full(len(self.longest), np.pi)
         turn = to_eye[:3, :3]
+        found: NDArray[np.floating] = np.full(len(self.longest), np.inf)
         if to_eye[3].tolist() != [0, 0, 0, 1] or not np.isfinite(to_eye).all():
-            return most
+            return found
         scales = np.linalg.svd(turn, compute_uv=False)
         if not scales[2] > 1e-12 * scales[0]:
-            return most
-        eye = -np.linalg.solve(turn, to_eye[:3, 3])
-        beside = np.maximum(np.maximum(self.low - eye, eye - self.high), 0)
-        nearest = scales[2] * np.sqrt((beside * beside).sum(1))
-        sure = (nearest > 0) & np.isfinite(self.longest)
-        most[sure] = 2 * np.arctan(scales[0] * self.longest[sure] / (2 * nearest[sure]))
-        return most
+            return found
+        beside = self.centres + np.linalg.solve(turn, to_eye[:3, 3])
+        nearest = np.sqrt(np.einsum("ij,ij->i", beside, beside)) - self.radii
+        np.divide(scales[0] / scales[2] * self.longest, nearest, out=found, where=nearest > 0)
+        return found
 
-    def least_angles_from(self, direction: Sequence[float], to_eye: NDArray[np.floating]) -> list[float]:
-        """For each part, Extent's least_angle_from of the sphere around its box."""
-        middles, radii = (self.low + self.high) / 2, np.linalg.norm(self.high - self.low, axis=1) / 2
-        matrix = to_eye.T.ravel().tolist()
-        spheres = zip(middles.tolist(), radii.tolist(), strict=True)
-        return [Extent((x, y, z), r, 0.0).least_angle_from(direction, matrix) for (x, y, z), r in spheres]
+    def least_angles_from(
+        self, direction: Sequence[float], to_eye: NDArray[np.floating]
+    ) -> NDArray[np.floating]:
+        """No point of a primitive is seen closer to a direction than its angle, (n,), radians; 0 in doubt.
+
+        direction: unit vector in eye space; to_eye: (4, 4), of last row (0, 0, 0, 1), as for largest_angles.
+        """
+        centres = self.centres @ to_eye[:3, :3].T + to_eye[:3, 3]
+        distances = np.maximum(np.linalg.norm(centres, axis=1), 1e-300)
+        between = np.arccos(np.clip(centres @ np.asarray(direction) / distances, -1, 1))
+        radii = self.radii * float(np.linalg.norm(to_eye[:3, :3]))
+        least = between - np.arcsin(np.minimum(radii / distances, 1))
+        sure = (radii < distances) & np.isfinite(self.longest)
+        found: NDArray[np.floating] = np.where(sure, np.maximum(least, 0), 0.0)
+        return found

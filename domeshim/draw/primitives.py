@@ -9,62 +9,48 @@ from operator import itemgetter
 
 import numpy as np
 
-from domeshim.draw.extent import Boxes, Extent
+from domeshim.draw.extent import Extent, Spheres
 from domeshim.draw.patches import (
     POINTS,
-    TRIANGLES,
+    Edged,
     Indices,
     Kind,
     corners,
     kind_of,
     longest_edge,
-    longest_edges,
     outlines,
     shortest_line,
 )
 from domeshim.record.runs import Block, Run, stretches
 
 _LINE, _POINT, FILL = 0x1B01, 0x1B00, 0x1B02
-_OF_A_PART = 256
-"""So many triangles are judged together where the whole mesh will not do in one piece."""
+_MANY = 96
+"""Up to so many primitives are subdivided together: to choose among them costs as much."""
 
 
 @dataclass(frozen=True)
-class Parts:
-    """Triangles of a run that follow each other, part by part, and how large each part is."""
+class Primitives:
+    """The lines or triangles that make up a run, in the order of drawing, and how large each is."""
 
-    run: Run
-    """All of them, each with its own three vertices."""
-    boxes: Boxes
-    """One a part."""
-
-    def joined(self, first: int, end: int) -> Run:
-        """The parts from the first up to, without, the end."""
-        chosen = slice(3 * _OF_A_PART * first, 3 * _OF_A_PART * end)
-        positions = self.run.positions[chosen]
-        attributes = {name: values[chosen] for name, values in self.run.attributes.items()}
-        return Run(positions, attributes, (Block(TRIANGLES, 0, len(positions)),), constant=self.run.constant)
+    kind: Edged
+    indices: Indices
+    """(n, 2 or 3), of the run's vertices."""
+    spheres: Spheres
+    """One a primitive."""
 
 
-def parts_of(run: Run) -> Parts | None:
-    """A large run of nothing but triangles in parts, in the order of drawing; of any other run none.
+def many_primitives(run: Run) -> Primitives | None:
+    """A large run's primitives, where all are lines or all triangles; else None.
 
-    A long edge costs only where it is: the other parts need no subdivision.
+    A long edge costs only where it is: the other primitives need no subdivision.
     """
     if "edge" in run.attributes or run.positions.shape[1] == 4:
         return None
     kinds = list(primitives_of(run))
-    if len(kinds) != 1 or kinds[0][0] != "triangles" or len(kinds[0][1]) <= 2 * _OF_A_PART:
+    if len(kinds) != 1 or len(kinds[0][1]) <= _MANY:
         return None
-    triangles = kinds[0][1]
-    starts = np.arange(0, len(triangles), _OF_A_PART)
-    points = run.positions[triangles]
-    boxes = Boxes(
-        np.minimum.reduceat(points.min(1), starts),
-        np.maximum.reduceat(points.max(1), starts),
-        np.maximum.reduceat(longest_edges(points), starts),
-    )
-    return Parts(taken(run, triangles), boxes)
+    kind, indices = kinds[0]
+    return None if kind == "points" else Primitives(kind, indices, Spheres.of(run.positions[indices]))
 
 
 def extent_of(run: Run) -> Extent | None:

@@ -3,21 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
-from itertools import groupby
-from operator import itemgetter
 from typing import TYPE_CHECKING, Protocol
 
-from domeshim.draw.patches import POINTS, TRIANGLES, Edged, Indices
-from domeshim.draw.primitives import FILL, Parts, extent_of, primitives_of, taken
+from domeshim.draw.order import alike, order_shows
+from domeshim.draw.patches import LINES, POINTS, TRIANGLES, Edged, Indices
+from domeshim.draw.primitives import FILL, Primitives, extent_of, primitives_of, taken
 from domeshim.draw.split import split_wide, triangles_under
 from domeshim.draw.strips import line_strips
-from domeshim.record.runs import Run
+from domeshim.record.runs import Block, Run
 from domeshim.shading.recipe import Patch, PatchMethod
 
 if TYPE_CHECKING:
     from domeshim.state.context import DomeContext
-    from domeshim.state.subdivision import Subdivision
+    from domeshim.state.subdivision import Choice, Subdivision
 
 _LINE_STIPPLE, _SHADE_MODEL, _FLAT = 0x0B24, 0x0B54, 0x1D00
 _POLYGON_MODE, _CULL_FACE = 0x0B40, 0x0B44
@@ -41,6 +41,9 @@ class Drawer(Protocol):
     def draw_whole(self, run: Run, made: Making) -> None:
         """Draw a run's blocks."""
 
+    def draw_some(self, mode: int, run: Run, indices: Indices, made: Making) -> None:
+        """Draw those of a run's vertices by one mode."""
+
     def completed(self, run: Run) -> Run:
         """The run with every attribute of every vertex known."""
 
@@ -56,24 +59,20 @@ def subdivide(
     context: DomeContext,
     drawer: Drawer,
     subdivision: Subdivision,
-    parts: Parts | None,
+    primitives: Primitives | None,
 ) -> bool:
-    """Draw the run in pieces; False where they could not show what the program asked for.
+    """Draw the run in pieces; False where it is to be drawn whole.
 
-    parts: the run's, where it is large enough for that.
+    That is where no edge needs more, or where pieces could not show what the program asked for. primitives:
+    the run's, where there are enough to choose among.
     """
     polygon_mode = _shown_polygon_mode(context)
     if polygon_mode is None or "edge" in run.attributes:
         return False  # which edges of a polygon show is lost in its triangles
-    if parts is not None and polygon_mode == FILL:
-        for of_part, alike in groupby(
-            enumerate(context.subdividing.subdivisions(parts.boxes)), key=itemgetter(1)
-        ):
-            numbers = [number for number, _ in alike]
-            part = parts.joined(numbers[0], numbers[-1] + 1)
-            if of_part is None or not subdivide(part, context, drawer, of_part, None):
-                drawer.draw_whole(part, context.draw)
-        return True
+    if primitives is not None and _chosen_from(primitives, polygon_mode, context):
+        choice = context.subdividing.choice(primitives.spheres, lengthened=subdivision.lengthened)
+        if choice is not None:
+            return _draw_chosen(run, primitives, choice, context, drawer)
     for kind, indices in primitives_of(run, polygon_mode):
         if kind == "points":
             drawer.draw_all(POINTS, taken(run, indices), context.draw)
@@ -85,6 +84,28 @@ def subdivide(
             _draw_triangles(taken(run, indices), context, drawer)
         else:
             _draw_patches(taken(run, indices), kind, context, drawer, subdivision)
+    return True
+
+
+def _chosen_from(primitives: Primitives, polygon_mode: int, context: DomeContext) -> bool:
+    """Each primitive may be drawn in its own way; a line's pattern goes on with the next."""
+    return not stippled(context) if primitives.kind == "lines" else polygon_mode == FILL
+
+
+def _draw_chosen(
+    run: Run, primitives: Primitives, choice: Choice, context: DomeContext, drawer: Drawer
+) -> bool:
+    """Draw the primitives each as it needs; False where all may stay whole."""
+    if not choice.levels.any() and choice.subdivisions[0] is None:
+        return False
+    mode = LINES if primitives.kind == "lines" else TRIANGLES
+    for level, numbers in alike(choice.levels, ordered=order_shows(context.driver)):
+        indices, subdivision = primitives.indices[numbers], choice.subdivisions[level]
+        if subdivision is None:
+            drawer.draw_some(mode, run, indices, context.draw)
+        else:
+            piece = replace(taken(run, indices), blocks=(Block(mode, 0, indices.size),))
+            subdivide(piece, context, drawer, subdivision, None)
     return True
 
 

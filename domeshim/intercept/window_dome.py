@@ -50,7 +50,7 @@ class WindowDome:
         """What is known of draws from them."""
         from domeshim.draw.arrays import ArrayDraws  # noqa: PLC0415 - as above
 
-        return ArrayDraws(self.context, self.submitter)
+        return ArrayDraws(self.context, self.submitter, self.lists)
 
     def end_frame(self) -> None:
         """The picture is complete: cut it at the rim. The window must be current."""

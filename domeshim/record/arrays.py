@@ -86,6 +86,8 @@ class ArrayDraw:
     buffered: bool
     """All of it lies in buffers, so that the key tells all; else it samples the program's memory."""
     read: Callable[[], Run]
+    numbers: Callable[[], NDArray[np.int64]]
+    """The number in the program's arrays of each vertex of the run."""
 
 
 class ArrayReader:
@@ -107,6 +109,7 @@ class ArrayReader:
             (mode, arrays, indices, samples),
             buffered,
             lambda: self._read(mode, arrays, self._numbers(indices)),
+            lambda: self._numbers(indices),
         )
 
     def elements(self, count: int, kind: int, indices: object) -> Elements:
@@ -124,7 +127,7 @@ class ArrayReader:
             data = np.asarray(place).ravel()[:count].astype(dtype).tobytes()
         return Elements(count, dtype.str, 0, 0, data)
 
-    def _numbers(self, indices: range | Elements) -> NDArray[np.integer]:
+    def _numbers(self, indices: range | Elements) -> NDArray[np.int64]:
         if isinstance(indices, range):
             return np.arange(indices.start, indices.stop)
         dtype = np.dtype(indices.type)

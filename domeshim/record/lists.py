@@ -27,6 +27,9 @@ class Mesh(Protocol):
     def names(self) -> list[int]:
         """The GL lists that it has made."""
 
+    def delete(self) -> None:
+        """Give back what it has of GL beside them."""
+
 
 _COMPILE = 0x1300
 _DEEPEST = 64
@@ -134,6 +137,8 @@ class DisplayLists:
         for name in [n for n in self._lists if first <= n < first + count]:
             for part in self._lists.pop(name):
                 own = part.names() if isinstance(part, Mesh) else [part] if isinstance(part, int) else []
+                if isinstance(part, Mesh):
+                    part.delete()
                 for list_name in own:
                     if list_name != name:
                         self._driver.glDeleteLists(list_name, 1)

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from domeshim.draw.extent import Boxes, Extent
+from domeshim.draw.extent import Extent, Spheres
 from domeshim.draw.subdivide import stippled
 from domeshim.options import Options
 from domeshim.shading.recipe import Patch
 from domeshim.state.perspective import Matrix
 from domeshim.state.placement import Placement
-from domeshim.state.subdivision import Method, Subdivision, Tolerance, method_of
+from domeshim.state.subdivision import Choice, Method, Subdivision, Tolerance, method_of
 from domeshim.state.whereabouts import matrix
 from domeshim.window.frame import Frame
 
@@ -106,17 +106,17 @@ class Subdividing:
             )
         return None
 
-    def subdivisions(self, boxes: Boxes) -> list[Subdivision | None]:
-        """What each part of a mesh needs, where subdivision says that the mesh needs something."""
-        tolerance, to_eye = self.tolerance, self.to_eye
-        angles = boxes.largest_angles(to_eye).tolist()
-        behind = [math.pi] * len(angles)
-        if tolerance.least < 1:
-            behind = boxes.least_angles_from(tolerance.aft, to_eye)
-        return [
-            tolerance.subdivision(angle, b, self._context.scene.scene)
-            for angle, b in zip(angles, behind, strict=True)
-        ]
+    def choice(self, spheres: Spheres, *, lengthened: bool) -> Choice | None:
+        """What each primitive of a mesh needs, where subdivision says that the mesh needs something.
+
+        None where all are to be treated alike; lengthened: as in subdivision.
+        """
+        choice = self.tolerance.choice(spheres, self.to_eye, self._context.scene.scene)
+        if choice is None or not lengthened:
+            return choice
+        whole = Subdivision(None, self.tolerance.limit(math.pi), split=False)
+        needed = (each or whole for each in choice.subdivisions)
+        return Choice(choice.levels, tuple(each._replace(lengthened=True) for each in needed))
 
     @property
     def to_eye(self) -> Matrix:

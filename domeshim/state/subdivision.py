@@ -6,6 +6,10 @@ import math
 from collections.abc import Callable
 from typing import Literal, NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
+
+from domeshim.draw.extent import Spheres
 from domeshim.draw.split import Limit
 from domeshim.driver import Driver
 from domeshim.lens.detail import pieces_per_radian, straight_behind
@@ -13,6 +17,7 @@ from domeshim.lens.landing import Lens
 from domeshim.lens.orientation import Orientation
 from domeshim.options import Options
 from domeshim.shading.recipe import Scene
+from domeshim.state.perspective import Matrix
 from domeshim.window.frame import Frame
 
 Method = Literal["tessellate", "geometry", "cpu"]
@@ -46,6 +51,15 @@ class Subdivision(NamedTuple):
     """Some edge may be wider, and is to be halved first."""
     lengthened: bool = False
     """Some line may be shorter than a pixel, and the driver would leave it out."""
+
+
+class Choice(NamedTuple):
+    """What each primitive of a mesh needs to keep the tolerance."""
+
+    levels: NDArray[np.int8]
+    """(n,)"""
+    subdivisions: tuple[Subdivision | None, ...]
+    """By level: what stays whole, what is cut in pieces, what is split first."""
 
 
 def method_of(wanted: str, driver: Driver, say: Callable[[str], None]) -> Method | None:
@@ -108,16 +122,36 @@ class Tolerance:
 
         angle, behind: radians; scene: tells what is drawn.
         """
-        method = self._method
-        if method is None or not (self._always or self.broken_by(angle, behind)):
+        if self._method is None or not (self._always or self.broken_by(angle, behind)):
             return None
+        limit = self._widest(scene)
+        return Subdivision(self._method, limit, angle > limit.at(behind))
+
+    def choice(self, spheres: Spheres, to_eye: Matrix, scene: Callable[[], Scene]) -> Choice | None:
+        """What each primitive of a mesh needs; None where all are to be treated alike.
+
+        to_eye: (4, 4), the spheres' space to eye space; scene: tells what is drawn.
+        """
+        if self._method is None or self._always:
+            return None
+        angles = spheres.largest_angles(to_eye)
+        limit = self._widest(scene)
+        if self.least == 1:
+            broken, wide = angles * self.detail > 1, angles > limit.widest
+        else:
+            behind = spheres.least_angles_from(self.aft, to_eye)
+            broken = angles * self.detail > np.clip(behind, self.least, 1.0)
+            wide = angles > limit.at_each(behind)
+        levels = broken.astype(np.int8) + (broken & wide)
+        return Choice(levels, (None, *(Subdivision(self._method, limit, split) for split in (False, True))))
+
+    def _widest(self, scene: Callable[[], Scene]) -> Limit:
+        """The limit to edges that the method draws well."""
         most = 1
-        if method == "tessellate":
+        if self._method == "tessellate":
             most = _MOST_PIECES
-        elif method == "geometry":
+        elif self._method == "geometry":
             from domeshim.shading.geometry import most_pieces  # noqa: PLC0415 - only this method pays
 
             most = most_pieces(scene(), "triangles")
-        widest = min(_WIDEST, most / self.detail)
-        limit = self.limit(widest)
-        return Subdivision(method, limit, angle > limit.at(behind))
+        return self.limit(min(_WIDEST, most / self.detail))

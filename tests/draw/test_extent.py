@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from domeshim.draw.extent import Boxes, Extent
+from domeshim.draw.extent import Extent, Spheres
 from domeshim.draw.patches import corners, longest_edge
 
 
@@ -73,32 +73,49 @@ def test_the_bound_from_a_direction_is_close_for_a_small_mesh():
     assert extent.least_angle_from((0, 0, 1), np.eye(4).ravel().tolist()) == pytest.approx(np.pi, abs=0.1)
 
 
-@given(st.integers(0, 100_000), st.floats(0.01, 100), st.floats(-2, 2))
-def test_no_edge_of_a_part_subtends_more_than_its_bound(seed, size, shear):
+def placed(seed, size, shear):
+    """Corners of triangles, (40, 3, 3), and a matrix to eye space."""
     rng = np.random.default_rng(seed)
-    points = rng.normal(size=(5, 12, 3)) * size * rng.uniform(0.01, 1, (5, 1, 3)) + rng.normal(size=(5, 1, 3))
+    points = rng.normal(size=(40, 3, 3)) * size * rng.uniform(0.01, 1, (40, 1, 1))
     to_eye = np.eye(4)
     to_eye[:3, :3] = rng.normal(size=(3, 3))
     to_eye[0, 1] += shear
     to_eye[:3, 3] = rng.normal(size=3) * 10
-    edges = corners(1, 12)
-    boxes = Boxes(points.min(1), points.max(1), np.array([longest_edge(p, edges) for p in points]))
-    bounds = boxes.largest_angles(to_eye)
-    for part, bound in zip(points, bounds, strict=True):
-        assert bound >= angles(part @ to_eye[:3, :3].T + to_eye[:3, 3], edges).max() - 1e-9
+    return points + rng.normal(size=(40, 1, 3)), to_eye
 
 
-def test_a_long_part_is_judged_by_its_own_distance():
-    """A row of a floor, far wider than it is away."""
-    boxes = Boxes(np.array([[-50.0, -1, -6]]), np.array([[50.0, -1, -5]]), np.array([1.0]))
-    assert boxes.largest_angles(np.eye(4))[0] < 1.1 * 2 * np.arctan(0.5 / np.hypot(1, 5))
+@given(st.integers(0, 100_000), st.floats(0.01, 100), st.floats(-2, 2))
+def test_no_edge_of_a_primitive_subtends_more_than_its_bound(seed, size, shear):
+    points, to_eye = placed(seed, size, shear)
+    for kind in (points, points[:, :2]):
+        bounds = Spheres.of(kind).largest_angles(to_eye)
+        eye = kind @ to_eye[:3, :3].T + to_eye[:3, 3]
+        largest = [
+            angles(corners, np.array([(0, 1), (1, 2), (2, 0)]) % len(corners)).max() for corners in eye
+        ]
+        assert (bounds >= np.array(largest) - 1e-9).all()
 
 
-def test_parts_bound_nothing_under_matrices_without_an_inverse_or_with_a_perspective():
-    boxes = Boxes(np.full((1, 3), 4.0), np.full((1, 3), 5.0), np.array([1.0]))
+@given(st.integers(0, 100_000), st.floats(0.01, 100), st.floats(-2, 2))
+def test_no_corner_of_a_primitive_is_closer_to_a_direction_than_its_bound(seed, size, shear):
+    points, to_eye = placed(seed, size, shear)
+    aft = points[0, 0] / np.linalg.norm(points[0, 0])
+    eye = points @ to_eye[:3, :3].T + to_eye[:3, 3]
+    closest = np.arccos((eye @ aft / np.linalg.norm(eye, axis=-1)).clip(-1, 1)).min(1)
+    assert (Spheres.of(points).least_angles_from(aft.tolist(), to_eye) <= closest + 1e-6).all()
+
+
+def test_a_primitive_is_judged_by_its_own_distance():
+    spheres = Spheres.of(np.array([[[0.0, 0, -5], [1, 0, -5]], [[0, 0, -500], [1, 0, -500]]]))
+    assert spheres.largest_angles(np.eye(4)) == pytest.approx([1 / 4.5, 1 / 499.5], rel=0.01)
+
+
+def test_primitives_are_bound_by_nothing_without_an_inverse_with_a_perspective_or_without_a_place():
+    spheres = Spheres.of(np.array([[[4.0, 4, 4], [5, 5, 5]]]))
     flat, projective = np.diag([1.0, 1, 0, 1]), np.eye(4)
     projective[3, 2] = -1
-    assert boxes.largest_angles(flat) == [np.pi]
-    assert boxes.largest_angles(projective) == [np.pi]
-    nowhere = Boxes(np.full((1, 3), np.nan), np.full((1, 3), np.nan), np.array([np.nan]))
-    assert nowhere.largest_angles(np.eye(4)) == [np.pi]
+    assert spheres.largest_angles(flat) == [np.inf]
+    assert spheres.largest_angles(projective) == [np.inf]
+    nowhere = Spheres.of(np.array([[[4.0, 4, 4], [np.nan, 5, 5]], [[4, 4, 4], [np.inf, 5, 5]]]))
+    assert nowhere.largest_angles(np.eye(4)).tolist() == [np.inf, np.inf]
+    assert nowhere.least_angles_from((0, 0, 1), np.eye(4)).tolist() == [0, 0]

@@ -4,10 +4,13 @@ import numpy as np
 import pytest
 
 from domeshim.draw import subdivide
+from domeshim.draw.upload import Upload
 from domeshim.state.context import DomeContext
 from tests.pictures.test_subdivision import from_array, from_buffer, immediately, listed, perspective
 
 SIZE = 256
+PATCHES = 14
+CORNERS = ((-0.3, -0.3), (-0.3, 0.3), (0.3, 0.3), (0.3, -0.3))
 CELLS = 40
 
 
@@ -74,3 +77,87 @@ def test_a_listed_mesh_is_split_once_for_a_view_that_stands_still(beside, monkey
     beside.through_dome(scene, (SIZE, SIZE), fov=180.0)
     assert any(pictures[0])
     assert all(picture == pictures[0] for picture in pictures)
+
+
+def soup(long):
+    """(n, 3) ends of 600 short lines around the viewer, and a few as long as that."""
+    chance = np.random.default_rng(5)
+    ways = chance.normal(size=(600, 3))
+    tails = 8 * ways / np.linalg.norm(ways, axis=1, keepdims=True)
+    ends = np.stack([tails, tails + 0.2 * chance.normal(size=(600, 3))], 1)
+    ends[long, 1] = [[5.0, 5, -5], [-5, 4, -6], [4, -5, -3]]
+    return ends.reshape(-1, 3).astype(np.float32)
+
+
+@pytest.mark.parametrize("blended", [False, True])
+@pytest.mark.parametrize("way", [immediately, listed, from_array, from_buffer])
+def test_of_many_lines_only_the_long_ones_are_subdivided(beside, monkeypatch, way, blended):
+    points = soup([40, 45, 400])
+    patches = []
+    draw_all = Upload.draw_all
+
+    def spy(upload, mode, count):
+        patches.append(count // 2 if mode == PATCHES else 0)
+        draw_all(upload, mode, count)
+
+    def scene(gl):
+        perspective(gl)
+        if blended:
+            gl.glEnable(gl.GL_BLEND)
+            gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
+            gl.glColor4f(0.4, 1, 0.2, 0.5)
+        way(gl, gl.GL_LINES, points)
+
+    monkeypatch.setattr(Upload, "draw_all", spy)
+    picture = beside.through_dome(scene, (SIZE, SIZE), fov=180.0).picture
+    assert 0 < sum(patches) < 30
+    everywhere = beside.through_dome(scene, (SIZE, SIZE), fov=180.0, method="tessellate").picture
+    assert sum(patches) > 600
+    assert (picture != everywhere).any(-1).sum() < 0.001 * SIZE**2
+
+
+def coloured(gl, points, colours):
+    gl.glBegin(gl.GL_QUADS)
+    for point, colour in zip(points.tolist(), colours.tolist(), strict=True):
+        gl.glColor4f(*colour)
+        gl.glVertex3f(*point)
+    gl.glEnd()
+
+
+def coloured_in_list(gl, points, colours):
+    gl.glNewList(1, gl.GL_COMPILE)
+    coloured(gl, points, colours)
+    gl.glEndList()
+    gl.glCallList(1)
+
+
+def coloured_from_array(gl, points, colours):
+    gl.glEnableClientState(gl.GL_COLOR_ARRAY)
+    gl.glColorPointer(4, gl.GL_FLOAT, 0, colours)
+    from_array(gl, gl.GL_QUADS, points)
+    gl.glDisableClientState(gl.GL_COLOR_ARRAY)
+
+
+@pytest.mark.parametrize("way", [coloured, coloured_in_list, coloured_from_array])
+def test_what_is_blended_keeps_its_order(beside, way):
+    """Small green quads, a red floor that must bend, and small blue quads, in one draw."""
+    steps = np.linspace(-6, 6, 11)
+    small = np.array([(x + a, -0.9, z + b) for x in steps for z in steps - 7 for a, b in CORNERS], np.float32)
+    floor = np.array([(60 * a, -0.9, 60 * b) for a, b in CORNERS], np.float32)
+    points = np.concatenate([small, floor, small + np.float32(0.1)])
+    colours = np.repeat(np.float32([[0, 1, 0, 0.5], [1, 0, 0, 0.5], [0, 0, 1, 0.5]]), [484, 4, 484], axis=0)
+
+    def scene(gl):
+        perspective(gl)
+        gl.glDisable(gl.GL_DEPTH_TEST)
+        gl.glEnable(gl.GL_BLEND)
+        gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
+        way(gl, points, colours)
+
+    picture, everywhere = (
+        beside.through_dome(scene, (SIZE, SIZE), fov=180.0, method=method).picture
+        for method in ("auto", "tessellate")
+    )
+    seen = {tuple(colour) for colour in picture.reshape(-1, 3).tolist()}
+    assert {(128, 64, 0), (64, 0, 128)} <= {tuple(round(v / 64) * 64 for v in colour) for colour in seen}
+    assert (np.abs(picture.astype(int) - everywhere).max(-1) > 2).sum() < 0.002 * SIZE**2
