@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import os
 import random
 from collections.abc import Iterator
 from contextlib import ExitStack, suppress
 from dataclasses import replace
+from itertools import zip_longest
 from pathlib import Path
+from typing import NamedTuple
 from uuid import uuid4
 
+from dask.system import CPU_COUNT
 from distributed import Client, LocalCluster, Worker, WorkerPlugin, as_completed, get_worker
 
 from domeshim.errors import DomeError
@@ -16,6 +20,11 @@ from domeshim.render.files import write
 from domeshim.render.maker import Made, Maker
 from domeshim.render.plan import Plan
 from domeshim.render.show import Progress
+
+_COMPARED = 2
+"""So many pictures are made twice."""
+_RASTER_THREADS = "LP_NUM_THREADS"
+"""So many Mesa's llvmpipe takes in each process; it would take one a core."""
 
 
 class Keeper(WorkerPlugin):  # type: ignore[misc] # Dask's types are not looked at
@@ -33,12 +42,21 @@ class Keeper(WorkerPlugin):  # type: ignore[misc] # Dask's types are not looked 
         if self._maker is not None:
             self._maker.close()
 
-    def make(self, frames: tuple[int, ...]) -> list[Made]:
-        """Make these pictures; their files' contents come with them where the storage is not shared."""
+    def make(self, frames: tuple[int, ...], also: int | None) -> list[Made]:
+        """Make these pictures; their files' contents come with them where the storage is not shared.
+
+        also: one more, that another worker makes as well.
+        """
         if self._maker is None:
             self._maker = Maker(self._plan)
         shared = self._token.exists()
-        return [self._written(made) if shared else made for made in self._maker.make(frames)]
+        found = []
+        for made in self._maker.make(frames if also is None else (*frames, also)):
+            if made.frame == also:
+                found.append(replace(made, content=b"", again=True))
+            else:
+                found.append(self._written(made) if shared else made)
+        return found
 
     def _written(self, made: Made) -> Made:
         if made.content:
@@ -46,11 +64,19 @@ class Keeper(WorkerPlugin):  # type: ignore[misc] # Dask's types are not looked 
         return replace(made, content=b"")
 
 
-def make_chunk(name: str, frames: tuple[int, ...]) -> list[Made]:
+class Chunk(NamedTuple):
+    """What a worker makes at a time."""
+
+    frames: tuple[int, ...]
+    also: int | None = None
+    """The next chunk's first picture, where it is to be compared with what another program makes of it."""
+
+
+def make_chunk(name: str, chunk: Chunk) -> list[Made]:
     """A task: make these pictures on the worker where it runs; name: of the plugin there."""
     keeper = get_worker().plugins[name]
     assert isinstance(keeper, Keeper)
-    return keeper.make(frames)
+    return keeper.make(*chunk)
 
 
 class Farm:
@@ -71,9 +97,10 @@ class Farm:
     def make(self, plan: Plan, frames: list[int], progress: Progress) -> Iterator[Made]:  # noqa: ARG002 - the crew's
         """Make these pictures; a chunk's come together, when the last of them is made.
 
+        The first ones of two chunks are made twice: by the program that makes the chunk before as well.
         Raises DomeError where there is no scheduler.
         """
-        chunks = [tuple(frames[i : i + self._chunk]) for i in range(0, len(frames), self._chunk)]
+        chunks = self._chunks(frames)
         if self._seed is not None:
             random.Random(self._seed).shuffle(chunks)
         with ExitStack() as stack:
@@ -86,13 +113,19 @@ class Farm:
             stack.callback(_forget, client, keeper.name)
             yield from _collect(client, keeper.name, plan, chunks)
 
-    def seams(self, frames: list[int]) -> list[int]:
-        """The first picture of each chunk but the first."""
-        return frames[self._chunk :: self._chunk]
+    def _chunks(self, frames: list[int]) -> list[Chunk]:
+        rows = [tuple(frames[i : i + self._chunk]) for i in range(0, len(frames), self._chunk)]
+        firsts = [row[0] for row in rows[1 : 1 + _COMPARED]]
+        return [Chunk(*found) for found in zip_longest(rows, firsts)]
 
     def _client(self, stack: ExitStack) -> Client:
         if self._cluster is None:
-            cluster = LocalCluster(n_workers=self._workers, threads_per_worker=1, dashboard_address=None)
+            cluster = LocalCluster(
+                n_workers=self._workers,
+                threads_per_worker=1,
+                dashboard_address=None,
+                env=_shared_cores(self._workers),
+            )
             return stack.enter_context(Client(stack.enter_context(cluster)))
         try:
             return stack.enter_context(Client(self._cluster, timeout=10))
@@ -100,7 +133,12 @@ class Farm:
             raise DomeError(f"--cluster={self._cluster}: no scheduler answers there ({error})") from None
 
 
-def _collect(client: Client, name: str, plan: Plan, chunks: list[tuple[int, ...]]) -> Iterator[Made]:
+def _shared_cores(workers: int) -> dict[str, str]:
+    """What each of so many workers on this machine finds in its environment."""
+    return {} if _RASTER_THREADS in os.environ else {_RASTER_THREADS: str(max(CPU_COUNT // workers, 1))}
+
+
+def _collect(client: Client, name: str, plan: Plan, chunks: list[Chunk]) -> Iterator[Made]:
     futures = {
         client.submit(make_chunk, name, chunk, pure=False, priority=-number): chunk
         for number, chunk in enumerate(chunks)
@@ -110,7 +148,7 @@ def _collect(client: Client, name: str, plan: Plan, chunks: list[tuple[int, ...]
             done = future.result()
         except Exception as error:  # whatever became of the worker
             reason = f"lost with its worker: {error}"
-            done = [Made(frame, eye, error=reason) for frame in futures[future] for eye in plan.eyes]
+            done = [Made(frame, eye, error=reason) for frame in futures[future].frames for eye in plan.eyes]
         future.release()
         yield from done
 

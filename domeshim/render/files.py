@@ -26,14 +26,19 @@ def encode(tiles: Sequence[Tile], plan: Plan) -> tuple[bytes, str]:
 
     from PIL import Image, PngImagePlugin  # noqa: PLC0415 - only who makes pictures needs it
 
-    image = Image.new("RGB", (plan.size, plan.size))
     times = plan.reel.side // plan.size
-    for part, ((width, height), pixels) in zip(plan.parts, tiles, strict=True):
-        tile = Image.frombytes("RGB", (width, height), pixels)
-        if times > 1:
-            tile = tile.resize((width // times, height // times), Image.Resampling.BOX)
-        left, bottom, *_ = part or (0, 0)
-        image.paste(tile, (left // times, plan.size - bottom // times - tile.height))
+
+    def shown(tile: Tile) -> Image.Image:
+        image = Image.frombytes("RGB", *tile)
+        return image if times == 1 else image.reduce(times)
+
+    if plan.parts == (None,):
+        image = shown(tiles[0])
+    else:
+        image = Image.new("RGB", (plan.size, plan.size))
+        for part, tile in zip(plan.parts, map(shown, tiles), strict=True):
+            left, bottom, *_ = part or (0, 0)
+            image.paste(tile, (left // times, plan.size - bottom // times - tile.height))
     content, mark = BytesIO(), f"{_MARK} {plan.fingerprint}"
     if plan.suffix == "png":
         info = PngImagePlugin.PngInfo()

@@ -27,6 +27,8 @@ class Made:
     digest: str = ""
     """SHA-256 of the pixels as they are in the file."""
     error: str = ""
+    again: bool = False
+    """Only to be compared: another program makes this picture as well."""
 
 
 @dataclass(frozen=True)

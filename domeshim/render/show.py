@@ -35,10 +35,7 @@ class Crew(Protocol):
     """Whoever makes the pictures."""
 
     def make(self, plan: Plan, frames: list[int], progress: Progress) -> Iterator[Made]:
-        """Make these pictures of the plan, in any order."""
-
-    def seams(self, frames: list[int]) -> list[int]:
-        """Which of these pictures are made by another program than the one before."""
+        """Make these pictures of the plan, in any order; some of them again, if many programs make them."""
 
 
 class Video(Protocol):
@@ -59,10 +56,6 @@ class Alone:
         finally:
             maker.close()
 
-    def seams(self, frames: list[int]) -> list[int]:  # noqa: ARG002 - the crew's
-        """None: one program makes them all, in their order."""
-        return []
-
 
 def render(plan: Plan, crew: Crew, progress: Progress, video: Video | None = None) -> Manifest:
     """Make all pictures of the plan that are not there yet, and return the manifest, which is saved.
@@ -76,10 +69,14 @@ def render(plan: Plan, crew: Crew, progress: Progress, video: Video | None = Non
     progress.begun(total * len(plan.eyes), (total - len(missing)) * len(plan.eyes))
     manifest.save()
     saved = time.monotonic()
+    twice: list[Made] = []
     try:
         if video is not None:
             video.go_on()
         for made in crew.make(plan, missing, progress):
+            if made.again:
+                twice.append(made)
+                continue
             _keep(made, manifest)
             progress.made()
             if video is not None:
@@ -87,29 +84,27 @@ def render(plan: Plan, crew: Crew, progress: Progress, video: Video | None = Non
             if time.monotonic() - saved > _SAVE_EVERY:
                 manifest.save()
                 saved = time.monotonic()
-        manifest.notes = _doubts(manifest, crew.seams(missing)[:2])
+        manifest.notes = _doubts(manifest, twice)
     finally:
         manifest.save()
         progress.ended()
     return manifest
 
 
-def _doubts(manifest: Manifest, frames: list[int]) -> list[str]:
-    """Make these pictures again, by another program that draws all before them; what came out otherwise."""
-    maker = Maker(manifest.plan, draws_all=True)
-    try:
-        others = [
-            again.frame
-            for again in maker.make(frames)
-            if again.digest != manifest.hashes.get(manifest.key(again.frame, again.eye), again.digest)
-        ]
-    finally:
-        maker.close()
+def _doubts(manifest: Manifest, twice: list[Made]) -> list[str]:
+    """What to say where a picture that was made twice came out otherwise."""
+    others = [
+        again.frame
+        for again in twice
+        if not again.error
+        and again.digest != manifest.hashes.get(manifest.key(again.frame, again.eye), again.digest)
+    ]
     if not others:
         return []
     return [
-        f"picture {others[0]} came out differently when it was made again: the program depends on more than "
-        "the clock (threads, the network, the time of day, its former pictures); render it without --workers"
+        f"picture {min(others)} came out differently when it was made again: the program depends on more "
+        "than the clock (threads, the network, the time of day, its former pictures); render it without "
+        "--workers"
     ]
 
 

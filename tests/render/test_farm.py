@@ -33,7 +33,19 @@ def test_lost_worker_loses_nothing(make_plan, progress, tmp_path):
 
 def test_program_that_goes_by_chance_is_found(make_plan, progress):
     manifest = render(make_plan(1, 4, does=CHANCE), Farm(1, chunk=2), progress)
-    assert "came out differently" in manifest.notes[0]
+    assert "picture 3 came out differently" in manifest.notes[0]
+
+
+def test_workers_share_the_cores(make_plan, progress, tmp_path, monkeypatch):
+    from dask.system import CPU_COUNT
+
+    does = CLEARS + "\nopen(sys.argv[1], 'a').write(os.environ['LP_NUM_THREADS'] + ' ')\n"
+    monkeypatch.delenv("LP_NUM_THREADS", raising=False)
+    render(make_plan(1, 1, "shared", does, (str(tmp_path / "shared.txt"),)), Farm(1), progress)
+    monkeypatch.setenv("LP_NUM_THREADS", "3")
+    render(make_plan(1, 1, "told", does, (str(tmp_path / "told.txt"),)), Farm(1), progress)
+    assert (tmp_path / "shared.txt").read_text().split() == [str(CPU_COUNT)]
+    assert (tmp_path / "told.txt").read_text().split() == ["3"]
 
 
 def test_unknown_scheduler_is_one_clear_error(make_plan, progress):
