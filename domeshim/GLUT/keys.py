@@ -1,39 +1,35 @@
-"""From glfw's keys and buttons to GLUT's: what a special key's number is, and which byte a key types."""
+"""From glfw's keys and buttons to GLUT's: what a special key's number is, and which byte a key types.
+
+glfw's numbers are written out: it is loaded for windows on a display alone, and takes long to load.
+"""
 
 from __future__ import annotations
-
-import glfw
 
 from domeshim.GLUT import constants as c
 
 _SPECIAL = {
-    **{glfw.KEY_F1 + i: c.GLUT_KEY_F1 + i for i in range(12)},
-    glfw.KEY_LEFT: c.GLUT_KEY_LEFT,
-    glfw.KEY_UP: c.GLUT_KEY_UP,
-    glfw.KEY_RIGHT: c.GLUT_KEY_RIGHT,
-    glfw.KEY_DOWN: c.GLUT_KEY_DOWN,
-    glfw.KEY_PAGE_UP: c.GLUT_KEY_PAGE_UP,
-    glfw.KEY_PAGE_DOWN: c.GLUT_KEY_PAGE_DOWN,
-    glfw.KEY_HOME: c.GLUT_KEY_HOME,
-    glfw.KEY_END: c.GLUT_KEY_END,
-    glfw.KEY_INSERT: c.GLUT_KEY_INSERT,
-    glfw.KEY_NUM_LOCK: 109,  # freeglut's own numbers; OpenGL.GLUT has 6 for it
-    glfw.KEY_LEFT_SHIFT: c.GLUT_KEY_SHIFT_L,
-    glfw.KEY_RIGHT_SHIFT: c.GLUT_KEY_SHIFT_R,
-    glfw.KEY_LEFT_CONTROL: c.GLUT_KEY_CTRL_L,
-    glfw.KEY_RIGHT_CONTROL: c.GLUT_KEY_CTRL_R,
-    glfw.KEY_LEFT_ALT: c.GLUT_KEY_ALT_L,
-    glfw.KEY_RIGHT_ALT: c.GLUT_KEY_ALT_R,
+    **{290 + i: c.GLUT_KEY_F1 + i for i in range(12)},
+    263: c.GLUT_KEY_LEFT,
+    265: c.GLUT_KEY_UP,
+    262: c.GLUT_KEY_RIGHT,
+    264: c.GLUT_KEY_DOWN,
+    266: c.GLUT_KEY_PAGE_UP,
+    267: c.GLUT_KEY_PAGE_DOWN,
+    268: c.GLUT_KEY_HOME,
+    269: c.GLUT_KEY_END,
+    260: c.GLUT_KEY_INSERT,
+    282: 109,  # Num Lock; freeglut's own numbers: OpenGL.GLUT has 6 for it
+    340: c.GLUT_KEY_SHIFT_L,
+    344: c.GLUT_KEY_SHIFT_R,
+    341: c.GLUT_KEY_CTRL_L,
+    345: c.GLUT_KEY_CTRL_R,
+    342: c.GLUT_KEY_ALT_L,
+    346: c.GLUT_KEY_ALT_R,
 }
-_CONTROL = {
-    glfw.KEY_ESCAPE: 27,
-    glfw.KEY_ENTER: 13,
-    glfw.KEY_KP_ENTER: 13,
-    glfw.KEY_BACKSPACE: 8,
-    glfw.KEY_TAB: 9,
-    glfw.KEY_DELETE: 127,
-}
-_WITH_CONTROL = {"[": 27, "\\": 28, "]": 29, "-": 31, " ": 0}
+_ESCAPE, _ENTER, _KEYPAD_ENTER, _BACKSPACE, _TAB, _DELETE = 256, 257, 335, 259, 258, 261
+_CONTROL = {_ESCAPE: 27, _ENTER: 13, _KEYPAD_ENTER: 13, _BACKSPACE: 8, _TAB: 9, _DELETE: 127}
+_WITH_SHIFT, _WITH_CONTROL, _WITH_ALT = 1, 2, 4
+_SIGNS_WITH_CONTROL = {"[": 27, "\\": 28, "]": 29, "-": 31, " ": 0}
 
 
 def special_number(key: int) -> int | None:
@@ -48,15 +44,15 @@ def typed_without_character(key: int, modifiers: int) -> bytes | None:
     """
     if key in _CONTROL:
         return bytes([_CONTROL[key]])
-    if not modifiers & (glfw.MOD_CONTROL | glfw.MOD_ALT) or not 32 <= key < 127:
+    if not modifiers & (_WITH_CONTROL | _WITH_ALT) or not 32 <= key < 127:
         return None
     sign = chr(key)
-    if modifiers & glfw.MOD_CONTROL:
+    if modifiers & _WITH_CONTROL:
         if sign.isalpha():
             return bytes([key - 64])
-        if sign in _WITH_CONTROL:
-            return bytes([_WITH_CONTROL[sign]])
-    return (sign if modifiers & glfw.MOD_SHIFT else sign.lower()).encode()
+        if sign in _SIGNS_WITH_CONTROL:
+            return bytes([_SIGNS_WITH_CONTROL[sign]])
+    return (sign if modifiers & _WITH_SHIFT else sign.lower()).encode()
 
 
 def typed_by_character(codepoint: int) -> bytes | None:

@@ -52,7 +52,7 @@ def _vertices(gl: Driver, recorder: Immediate, block: Block, changes: list[_Chan
             continue
         x, y, z = positions[3 * vertex : 3 * vertex + 3]
         if has_w:
-            vertex4(x, y, z, recorder.w(vertex))
+            vertex4(x, y, z, recorder.w.get(vertex, 1.0))
         else:
             vertex3(x, y, z)
     return k

@@ -166,7 +166,7 @@ class Draws:
 
         extent: the run's own, or None where it has no edges.
         """
-        if self.recorder.pending()():
+        if self.recorder.pending():
             self.flush()
         current = self._current
         assert current is not None
@@ -190,7 +190,7 @@ class Draws:
         current, building = self._current, self.building
         if current is None or self.recorder.block is not None:
             return False
-        if self.recorder.pending()():
+        if self.recorder.pending():
             self.flush()
         context = current.context
         draw = partial(shape.draw, self._driver)

@@ -38,6 +38,7 @@ from domeshim.intercept.state_calls import (
     viewport,
 )
 from domeshim.record.attributes import setter
+from domeshim.record.calls import recording
 
 if TYPE_CHECKING:
     from domeshim.session import Session
@@ -142,10 +143,9 @@ def drawing_calls(session: Session, module: ModuleType, names: re.Pattern[str]) 
 def _dome_call(dome: Dome, name: str, original: Call) -> Call:
     """What happens instead of one name of GL."""
     plain_name = name.removesuffix("ARB").removesuffix("EXT")
-    recorder = dome.recorder
     attribute = setter(plain_name)
     if attribute is not None:
-        return recorder.recording(attribute)
+        return recording(dome.recorder, attribute)
     if plain_name in ("glBegin", "glEnd"):
         return (recorded.begin if plain_name == "glBegin" else recorded.end)(dome, original)
     rectangle = _RECTS.fullmatch(plain_name)
@@ -156,20 +156,20 @@ def _dome_call(dome: Dome, name: str, original: Call) -> Call:
 
 def _meaning(dome: Dome, name: str, original: Call) -> Call:
     """The call with what it means to the dome; the original where it means nothing."""
-    make = _SPECIAL.get(name) or next((make for pattern, make in _FAMILIES if pattern.fullmatch(name)), None)
+    make = _SPECIAL.get(name)
+    if make is None and _IN_A_FAMILY.fullmatch(name):
+        make = next(make for pattern, make in _FAMILIES if pattern.fullmatch(name))
     return make(dome, original) if make is not None else original
 
 
 def after_recorded(dome: Dome, name: str, call: Call) -> Call:
     """The call, once GL has seen what was recorded before it."""
-    recorder, pending = dome.recorder, dome.recorder.pending()
-    within = recorded.within(dome, name, call)
-    listed = name != "glEndList"
+    pending, listed = dome.recorder.pending, name != "glEndList"
 
     def after(*args: Any, **named: Any) -> Any:
         if pending():
-            if recorder.block is not None:
-                return within(*args, **named)
+            if dome.recorder.block is not None:
+                return recorded.within(dome, name, call, *args, **named)
             dome.flush()
         if listed and dome.building is not None:
             dome.building.used = True
@@ -234,3 +234,5 @@ _FAMILIES: tuple[tuple[re.Pattern[str], Maker], ...] = (
     (_READ_PIXELS, reading.read_pixels),
     (_READS, read_picture),
 )
+_IN_A_FAMILY = re.compile("|".join(pattern.pattern for pattern, _ in _FAMILIES))
+"""Most names are in none."""

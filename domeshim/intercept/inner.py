@@ -41,17 +41,16 @@ class InnerModules:
         for name, module in tuple(sys.modules.items()):
             if not name.startswith(_INSIDE.get(public, ())) or name.startswith(EXTENSIONS):
                 continue
-            covered = {
-                key: ours[key] for key in ours.keys() & vars(module).keys() if callable(vars(module)[key])
-            }
+            names = vars(module)
+            covered = {key: ours[key] for key in ours.keys() & names.keys() if callable(names[key])}
             if not covered or name in self._originals:
                 continue
             self._originals[name] = module
             stand_in = ModuleType(name)
-            vars(stand_in).update(vars(module) | covered)
+            vars(stand_in).update(names | covered)
             _put(name, stand_in)
             for key, call in covered.items():
-                yield vars(module)[key], call
+                yield names[key], call
 
     def remove(self) -> None:
         """Put the modules themselves back."""

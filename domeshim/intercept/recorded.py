@@ -61,16 +61,15 @@ def rectangle(dome: Dome, *, vector: bool) -> Call:
     return vectors if vector else corners
 
 
-def within(dome: Dome, name: str, call: Call) -> Call:
-    """What a call of this name does between glBegin and glEnd; GL refuses most of them there."""
-    recorder = dome.recorder
+def within(dome: Dome, name: str, call: Call, /, *args: Any, **named: Any) -> Any:
+    """Make a call of this name between glBegin and glEnd; GL refuses most of them there."""
     if name.startswith("glMaterial"):
-        return _material(dome, name, call)
+        return _material(dome, name, call, *args, **named)
     if _LEGAL.fullmatch(name):
-        return lambda *args, **named: recorder.inside(lambda: call(*args, **named))
+        return dome.recorder.inside(lambda: call(*args, **named))
     if name.startswith("gl") and not name.startswith("glu"):
-        return lambda *_args, **_named: refuse(dome)
-    return call
+        return refuse(dome)
+    return call(*args, **named)
 
 
 def refuse(dome: Dome) -> None:
@@ -79,21 +78,17 @@ def refuse(dome: Dome) -> None:
         dome.context.driver.glEnd()  # GL itself is outside glBegin..glEnd, where glEnd is as wrong
 
 
-def _material(dome: Dome, name: str, call: Call) -> Call:
+def _material(dome: Dome, name: str, call: Call, /, face: int, pname: int, *params: Any) -> None:
     recorder = dome.recorder
-
-    def material(face: int, pname: int, *params: Any) -> None:
-        block = recorder.block
-        assert block is not None
-        if recorder.on_border:
-            recorder.end()
-            dome.flush()
-            if dome.building is not None:
-                dome.building.used = True
-            call(face, pname, *params)
-            recorder.begin(block.mode)
-            return
-        values = params[0] if len(params) == 1 and hasattr(params[0], "__getitem__") else params
-        recorder.material(material_parts(name, int(face), int(pname), values))
-
-    return material
+    block = recorder.block
+    assert block is not None
+    if recorder.on_border:
+        recorder.end()
+        dome.flush()
+        if dome.building is not None:
+            dome.building.used = True
+        call(face, pname, *params)
+        recorder.begin(block.mode)
+        return
+    values = params[0] if len(params) == 1 and hasattr(params[0], "__getitem__") else params
+    recorder.material(material_parts(name, int(face), int(pname), values))

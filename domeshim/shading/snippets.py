@@ -6,6 +6,7 @@ from functools import cache
 from pathlib import Path
 
 
+@cache
 def glsl_folder() -> Path:
     """The folder of snippets: inside the installed package, or beside it in a checkout."""
     package = Path(__file__).resolve().parent.parent

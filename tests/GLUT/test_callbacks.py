@@ -72,8 +72,17 @@ def test_keys_without_a_character_type_all_the_same(
         (glfw.KEY_RIGHT, GLUT.GLUT_KEY_RIGHT),
         (glfw.KEY_DOWN, GLUT.GLUT_KEY_DOWN),
         (glfw.KEY_PAGE_UP, GLUT.GLUT_KEY_PAGE_UP),
+        (glfw.KEY_PAGE_DOWN, GLUT.GLUT_KEY_PAGE_DOWN),
+        (glfw.KEY_HOME, GLUT.GLUT_KEY_HOME),
+        (glfw.KEY_END, GLUT.GLUT_KEY_END),
         (glfw.KEY_INSERT, GLUT.GLUT_KEY_INSERT),
+        (glfw.KEY_NUM_LOCK, 109),
+        (glfw.KEY_LEFT_SHIFT, 112),
+        (glfw.KEY_RIGHT_SHIFT, 113),
         (glfw.KEY_LEFT_CONTROL, 114),
+        (glfw.KEY_RIGHT_CONTROL, 115),
+        (glfw.KEY_LEFT_ALT, 116),
+        (glfw.KEY_RIGHT_ALT, 117),
     ],
 )
 def test_special_keys_have_their_numbers(screen: WindowEvents, log: list[Any], key: int, number: int) -> None:

@@ -176,7 +176,7 @@ def test_nothing_is_resolved_unless_the_window_is_multisampled(calls):
 
 
 LEFT_OUT = (
-    *("click", "moderngl", "HersheyFonts", "PIL", "tqdm"),
+    *("click", "glfw", "moderngl", "HersheyFonts", "PIL", "tqdm"),
     *("domeshim.bench", "domeshim.cli", "domeshim.diagnosis", "domeshim.measure", "domeshim.preview"),
     *("domeshim.render", "domeshim.live", "domeshim.window.show", "domeshim.window.virtual_time"),
     *("domeshim.GLUT.composition", "domeshim.GLUT.typefaces.freeglut", "domeshim.GLUT.typefaces.faces"),
@@ -191,7 +191,7 @@ LEFT_OUT = (
     *("domeshim.shading.tessellation", "domeshim.state.comfort", "domeshim.state.monitor_raster"),
     *("domeshim.state.pointer", "domeshim.state.region"),
 )
-"""What a program of a few small triangles does not need."""
+"""What a program of a few small triangles does not need; glfw without a display."""
 GLUT_PROGRAM = """
 import sys
 from domeshim import startup

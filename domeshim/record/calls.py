@@ -1,0 +1,160 @@
+"""The functions that record what a program sets between glBegin and glEnd, one for each GL name.
+
+PyOpenGL passes over arguments too many (glColor3f with an alpha), so they do.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+
+from domeshim.record.attributes import DEFAULTS, Setter
+from domeshim.record.immediate import FREQUENT, Immediate
+
+Call = Callable[..., None]
+
+_TEXTURE0, _UNITS = 0x84C0, 8
+
+
+def recording(recorder: Immediate, setter: Setter) -> Call:
+    """The function that records one GL name; it is called for each vertex, so it does nothing else."""
+    if setter.attribute == "vertex":
+        return _vertex(recorder, setter)
+    if setter.attribute == "texture":
+        return _unit_texture(recorder, setter)
+    return _attribute(recorder, setter)
+
+
+def _vertex(recorder: Immediate, setter: Setter) -> Call:
+    positions, extend, w = recorder.positions, recorder.positions.extend, recorder.w
+
+    def vertex2(x: float, y: float, *_more: object) -> None:
+        extend((x, y, 0.0))
+
+    def vertex3(x: float, y: float, z: float, *_more: object) -> None:
+        extend((x, y, z))
+
+    def vertex4(x: float, y: float, z: float, homogeneous: float, *_more: object) -> None:
+        if homogeneous != 1:
+            w[len(positions) // 3] = homogeneous
+        extend((x, y, z))
+
+    by_count: dict[int, Call] = {2: vertex2, 3: vertex3, 4: vertex4}
+    return _by_arguments(setter, by_count)
+
+
+def _attribute(recorder: Immediate, setter: Setter) -> Call:
+    events = recorder.attributes[setter.attribute]
+    positions, mark, extend = recorder.positions, events.places.append, events.values.extend
+    scale, offset, most = setter.scale, setter.offset, setter.count or events.size
+    default = DEFAULTS[setter.attribute]
+    note = recorder.rare.append
+
+    def rarely(*values: float) -> None:
+        values = values[:most]
+        note(None)
+        mark(len(positions))
+        extend([scale * v + offset for v in values])
+        extend(default[len(values) :])
+
+    def three(x: float, y: float, z: float, *_more: object) -> None:
+        mark(len(positions))
+        extend((x, y, z))
+
+    def color3(r: float, g: float, b: float, *_more: object) -> None:
+        mark(len(positions))
+        extend((r, g, b, 1.0))
+
+    def texture2(s: float, t: float, *_more: object) -> None:
+        mark(len(positions))
+        extend((s, t, 0.0, 1.0))
+
+    def scaled(*values: float) -> None:
+        values = values[:most]
+        mark(len(positions))
+        extend([scale * v + offset for v in values])
+        extend(default[len(values) :])
+
+    def in_bytes(*values: int) -> None:
+        values = values[:most]
+        mark(len(positions))
+        extend([table[v & 255] for v in values])
+        extend(default[len(values) :])
+
+    def plain(*values: float) -> None:
+        values = values[:most]
+        mark(len(positions))
+        extend(values)
+        extend(default[len(values) :])
+
+    if setter.attribute not in FREQUENT:
+        return _by_arguments(setter, dict.fromkeys(range(1, 5), rarely))
+    if setter.bytes_as:
+        table = setter.bytes_as
+        return _by_arguments(setter, dict.fromkeys(range(1, 5), in_bytes))
+    if scale != 1:
+        return _by_arguments(setter, dict.fromkeys(range(1, 5), scaled))
+    fast: dict[int, Call] = {3: three} if events.size == 3 else {2: texture2, 3: color3}
+    return _by_arguments(setter, dict.fromkeys(range(1, 5), plain) | fast)
+
+
+def _unit_texture(recorder: Immediate, setter: Setter) -> Call:
+    units: dict[int, Call] = {}
+
+    def call(target: int, *values: Any) -> None:
+        unit = int(target) - _TEXTURE0
+        if unit not in units:
+            if not 0 <= unit < _UNITS:
+                return  # GL has no coordinates for it
+            of_unit = Setter(f"texture{unit}", setter.count, setter.vector, 1.0, 0.0)
+            units[unit] = _attribute(recorder, of_unit)
+        units[unit](*values)
+
+    return call
+
+
+def _by_arguments(setter: Setter, by_count: dict[int, Call]) -> Call:
+    """The function for a name's number of values, given one by one or as a vector."""
+    if setter.count is None:
+
+        def any_count(*values: Any) -> None:
+            values = tuple(values[0]) if len(values) == 1 else values
+            by_count[min(len(values), 4)](*values)
+
+        return any_count
+    call, count = by_count[setter.count], setter.count
+    if not setter.vector:
+        return call
+
+    def vector1(v: Any) -> None:
+        call(v[0] if isinstance(v, Sequence) or hasattr(v, "__getitem__") else v)
+
+    def vector2(v: Any) -> None:
+        try:
+            call(v[0], v[1])
+        except IndexError:
+            call(*_nested(setter, v))
+
+    def vector3(v: Any) -> None:
+        try:
+            call(v[0], v[1], v[2])
+        except IndexError:
+            call(*_nested(setter, v))
+
+    def vector4(v: Any) -> None:
+        try:
+            call(v[0], v[1], v[2], v[3])
+        except IndexError:
+            call(*_nested(setter, v))
+
+    return (vector1, vector2, vector3, vector4)[count - 1]
+
+
+def _nested(setter: Setter, vector: Any) -> list[Any]:
+    """The numbers of a vector that is the one row of a matrix."""
+    numbers: list[Any] = np.ravel(vector).tolist()
+    if len(numbers) != setter.count:
+        raise ValueError(f"{setter.count} numbers are wanted, not {vector!r}")
+    return numbers
