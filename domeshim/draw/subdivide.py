@@ -121,7 +121,7 @@ def _draw_patches(
 
 
 def _draw_triangles(piece: Run, context: DomeContext, drawer: Drawer) -> None:
-    if context.scene.scene().lighting is not None:
+    if context.scene_now().lighting is not None:
         context.say_once("method cpu lights large polygons at more places than their own corners")
     limit = context.subdividing.tolerance.limit(1 / context.subdividing.tolerance.detail)
     piece = triangles_under(

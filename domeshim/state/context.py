@@ -275,6 +275,12 @@ class DomeContext:
             self.scene.stale.add("textures")
         return self.seen, self.scene.scene()
 
+    def scene_now(self) -> Scene:
+        """What the program has enabled, for a question before a draw."""
+        if self.scene.stale:
+            self.undress()  # GL is asked for it, and the draw shall not go by what is worn
+        return self.scene.scene()
+
     @property
     def seen(self) -> Seen:
         """Where what is drawn now belongs; asked of GL again only where it may have changed."""

@@ -99,7 +99,7 @@ class Subdividing:
         if self.tolerance.least < 1:
             behind = extent.least_angle_from(self.tolerance.aft, to_eye)
         if own is None:
-            return self.tolerance.subdivision(angle, behind, self._context.scene.scene)
+            return self.tolerance.subdivision(angle, behind, self._context.scene_now)
         if self.tolerance.broken_by(angle, behind) and not own.own_matrices:
             self._context.say_once(
                 "long edges drawn by the program's own GLSL stay straight: it is not subdivided"
@@ -111,7 +111,7 @@ class Subdividing:
 
         None where all are to be treated alike; lengthened: as in subdivision.
         """
-        choice = self.tolerance.choice(spheres, self.to_eye, self._context.scene.scene)
+        choice = self.tolerance.choice(spheres, self.to_eye, self._context.scene_now)
         if choice is None or not lengthened:
             return choice
         whole = Subdivision(None, self.tolerance.limit(math.pi), split=False)

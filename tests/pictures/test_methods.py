@@ -26,6 +26,22 @@ def wall(gl):
     gl.glEnd()
 
 
+@pytest.mark.parametrize("method", ["tessellate", "geometry", "cpu"])
+def test_what_is_switched_off_between_two_draws_is_off(beside, method):
+    def scene(gl):
+        gl.glEnable(gl.GL_LIGHTING)
+        wall(gl)
+        gl.glDisable(gl.GL_LIGHTING)
+        gl.glColor3f(1, 0, 0)
+        gl.glBegin(gl.GL_QUADS)
+        for vertex in WALL:
+            gl.glVertex3f(*vertex)
+        gl.glEnd()
+
+    picture = beside.through_dome(scene, fov=180.0, method=method).picture
+    assert picture[SIZE // 2, SIZE // 2].tolist() == [255, 0, 0]
+
+
 @pytest.fixture
 def dressed(monkeypatch):
     """What the dome handed over to be subdivided, draw by draw."""
