@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -146,16 +147,12 @@ class Spheres:
         of singular values s0 .. s2 leaves at least s2 of a distance and at most s0 of an edge; and an edge of
         length l, all of it farther away than d, subtends less than l / d.
         """
-        turn = to_eye[:3, :3]
         found: NDArray[np.floating] = np.full(len(self.longest), np.inf)
-        if to_eye[3].tolist() != [0, 0, 0, 1] or not np.isfinite(to_eye).all():
-            return found
-        scales = np.linalg.svd(turn, compute_uv=False)
-        if not scales[2] > 1e-12 * scales[0]:
-            return found
-        beside = self.centres + np.linalg.solve(turn, to_eye[:3, 3])
-        nearest = np.sqrt(np.einsum("ij,ij->i", beside, beside)) - self.radii
-        np.divide(scales[0] / scales[2] * self.longest, nearest, out=found, where=nearest > 0)
+        viewer, stretch = _viewer_in_mesh(to_eye.tobytes())
+        if viewer is not None:
+            beside = self.centres - viewer
+            nearest = np.sqrt(np.einsum("ij,ij->i", beside, beside)) - self.radii
+            np.divide(stretch * self.longest, nearest, out=found, where=nearest > 0)
         return found
 
     def least_angles_from(
@@ -173,3 +170,19 @@ class Spheres:
         sure = (radii < distances) & np.isfinite(self.longest)
         found: NDArray[np.floating] = np.where(sure, np.maximum(least, 0), 0.0)
         return found
+
+
+@lru_cache(maxsize=8)
+def _viewer_in_mesh(to_eye: bytes) -> tuple[NDArray[np.floating] | None, float]:
+    """Where the viewer stands in a mesh's own space, (3,), and s0 / s2 of Spheres.largest_angles.
+
+    None where that cannot be told. to_eye: (4, 4) float64. A scene's meshes often share it.
+    """
+    matrix = np.frombuffer(to_eye).reshape(4, 4)
+    turn = matrix[:3, :3]
+    if matrix[3].tolist() != [0, 0, 0, 1] or not np.isfinite(matrix).all():
+        return None, 0.0
+    scales = np.linalg.svd(turn, compute_uv=False)
+    if not scales[2] > 1e-12 * scales[0]:
+        return None, 0.0
+    return np.linalg.solve(turn, -matrix[:3, 3]), float(scales[0] / scales[2])

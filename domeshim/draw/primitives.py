@@ -8,6 +8,7 @@ from itertools import groupby
 from operator import itemgetter
 
 import numpy as np
+from numpy.typing import NDArray
 
 from domeshim.draw.extent import Extent, Spheres
 from domeshim.draw.patches import (
@@ -35,6 +36,8 @@ class Primitives:
     kind: Edged
     indices: Indices
     """(n, 2 or 3), of the run's vertices."""
+    corners: NDArray[np.float32]
+    """(n, 2 or 3, 3), the positions."""
     spheres: Spheres
     """One a primitive."""
 
@@ -50,7 +53,10 @@ def many_primitives(run: Run) -> Primitives | None:
     if len(kinds) != 1 or len(kinds[0][1]) <= _MANY:
         return None
     kind, indices = kinds[0]
-    return None if kind == "points" else Primitives(kind, indices, Spheres.of(run.positions[indices]))
+    if kind == "points":
+        return None
+    corners = run.positions[indices]
+    return Primitives(kind, indices, corners, Spheres.of(corners))
 
 
 def extent_of(run: Run) -> Extent | None:

@@ -43,7 +43,7 @@ class Limit:
 
     def at(self, behind: float) -> float:
         """The limit of an edge that is nowhere closer to straight behind than this."""
-        return float(self.at_each(np.array(behind)))
+        return float(self._near(np.array(behind)))
 
     def of_edges(self, directions: Floats, angles: Floats, lengths: Floats) -> Floats:
         """The limit of each edge, by its ends alone. directions: (m, corners, 3); lengths: (m, corners).
@@ -59,10 +59,9 @@ class Limit:
             return np.minimum(whole, self.widest)
         behind = _angles_between(directions, np.array(self.aft))
         closer = np.minimum(behind, np.roll(behind, -1, 1))[:, :edges]
-        return np.minimum(whole, self.at_each(closer - angles / 2))
+        return np.minimum(whole, self._near(closer - angles / 2))
 
-    def at_each(self, behind: Floats) -> Floats:
-        """The same of several edges."""
+    def _near(self, behind: Floats) -> Floats:
         if self.least == 1:
             return np.full_like(behind, self.widest)
         near = np.maximum(behind, self.least)

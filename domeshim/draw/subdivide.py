@@ -70,7 +70,7 @@ def subdivide(
     if polygon_mode is None or "edge" in run.attributes:
         return False  # which edges of a polygon show is lost in its triangles
     if primitives is not None and _chosen_from(primitives, polygon_mode, context):
-        choice = context.subdividing.choice(primitives.spheres, lengthened=subdivision.lengthened)
+        choice = context.subdividing.choice(primitives, lengthened=subdivision.lengthened)
         if choice is not None:
             return _draw_chosen(run, primitives, choice, context, drawer)
     for kind, indices in primitives_of(run, polygon_mode):

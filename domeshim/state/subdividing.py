@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from domeshim.draw.extent import Extent, Spheres
+from domeshim.draw.extent import Extent
+from domeshim.draw.primitives import Primitives
 from domeshim.draw.subdivide import stippled
 from domeshim.options import Options
 from domeshim.shading.recipe import Patch
@@ -106,12 +107,12 @@ class Subdividing:
             )
         return None
 
-    def choice(self, spheres: Spheres, *, lengthened: bool) -> Choice | None:
+    def choice(self, primitives: Primitives, *, lengthened: bool) -> Choice | None:
         """What each primitive of a mesh needs, where subdivision says that the mesh needs something.
 
         None where all are to be treated alike; lengthened: as in subdivision.
         """
-        choice = self.tolerance.choice(spheres, self.to_eye, self._context.scene_now)
+        choice = self.tolerance.choice(primitives, self.to_eye, self._context.scene_now)
         if choice is None or not lengthened:
             return choice
         whole = Subdivision(None, self.tolerance.limit(math.pi), split=False)

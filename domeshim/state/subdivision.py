@@ -9,8 +9,8 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from domeshim.draw.extent import Spheres
-from domeshim.draw.split import Limit
+from domeshim.draw.primitives import Primitives
+from domeshim.draw.split import Floats, Limit, edges_of
 from domeshim.driver import Driver
 from domeshim.lens.detail import pieces_per_radian, straight_behind
 from domeshim.lens.landing import Lens
@@ -127,22 +127,24 @@ class Tolerance:
         limit = self._widest(scene)
         return Subdivision(self._method, limit, angle > limit.at(behind))
 
-    def choice(self, spheres: Spheres, to_eye: Matrix, scene: Callable[[], Scene]) -> Choice | None:
+    def choice(self, primitives: Primitives, to_eye: Matrix, scene: Callable[[], Scene]) -> Choice | None:
         """What each primitive of a mesh needs; None where all are to be treated alike.
 
-        to_eye: (4, 4), the spheres' space to eye space; scene: tells what is drawn.
+        to_eye: (4, 4), the primitives' space to eye space; scene: tells what is drawn. Most are so far away
+        that their spheres tell; the others' edges are looked at as the shader does.
         """
         if self._method is None or self._always:
             return None
-        angles = spheres.largest_angles(to_eye)
-        limit = self._widest(scene)
-        if self.least == 1:
-            broken, wide = angles * self.detail > 1, angles > limit.widest
-        else:
-            behind = spheres.least_angles_from(self.aft, to_eye)
-            broken = angles * self.detail > np.clip(behind, self.least, 1.0)
-            wide = angles > limit.at_each(behind)
-        levels = broken.astype(np.int8) + (broken & wide)
+        limit, corners = self._widest(scene), primitives.corners
+        angles, room = primitives.spheres.largest_angles(to_eye), 1.0
+        if self.least < 1:
+            room = np.clip(primitives.spheres.least_angles_from(self.aft, to_eye), self.least, 1.0)
+        levels = np.zeros(len(angles), np.int8)
+        near = np.flatnonzero(angles * self.detail > room)
+        near = near[_over(corners[near], to_eye, self.limit(1 / self.detail))]
+        levels[near] = 1
+        if self.least < 1 or (angles[near] > limit.widest).any():
+            levels[near[_over(corners[near], to_eye, limit)]] = 2
         return Choice(levels, (None, *(Subdivision(self._method, limit, split) for split in (False, True))))
 
     def _widest(self, scene: Callable[[], Scene]) -> Limit:
@@ -155,3 +157,12 @@ class Tolerance:
 
             most = most_pieces(scene(), "triangles")
         return self.limit(min(_WIDEST, most / self.detail))
+
+
+def _over(corners: Floats, to_eye: Matrix, limit: Limit) -> NDArray[np.bool_]:
+    """(n,): which primitives have an edge over its limit, or no place; corners: (n, 2 or 3, 3)."""
+    homogeneous = np.concatenate([corners.astype(float), np.ones_like(corners[..., :1])], -1)
+    with np.errstate(invalid="ignore"):
+        angles, limits, _ = edges_of(homogeneous @ to_eye.T, limit)
+    over: NDArray[np.bool_] = np.logical_not((angles <= limits).all(1))
+    return over
