@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from domeshim.options import Options
 from domeshim.shading.recipe import Lighting, Mapping, Recipe, Scene
 from domeshim.wording import counted
 
@@ -52,6 +53,36 @@ def left_out(recipe: Recipe) -> list[str]:
         "turning of the dome": recipe.mapping.aim == "straight",
     }
     return [name for name, missing in absent.items() if missing]
+
+
+def approximated(recipe: Recipe, options: Options, *, cut: bool) -> list[str]:
+    """What of a draw by this recipe is near the truth and not on it; cut: on the CPU."""
+    mapping, fog = recipe.mapping, recipe.scene.fog
+    found = [_edges(recipe, options, cut=cut)]
+    if mapping.method == "paper":
+        found.append("colours and textures run evenly in the picture, not on the surface")
+        found.append("depth is planar")
+    if mapping.face:
+        found.append("the faces are resampled, which softens")
+    if recipe.patch is not None and recipe.patch.method == "geometry":
+        found.append("neighbours under unlike lights or textures may meet in vertices of their own")
+    if cut and recipe.scene.lighting is not None:
+        found.append("new vertices are lit for themselves")
+    if fog == "distance" and mapping.place != "modelview":
+        found.append("fog goes by planar depth")
+    return found
+
+
+def _edges(recipe: Recipe, options: Options, *, cut: bool) -> str:
+    """How near an edge comes to its curve."""
+    off = f"within {options.tolerance:g} pixels of its curve"
+    if recipe.mapping.face:
+        return "edges are straight on each face, as they are in space"
+    if recipe.patch is not None or cut:
+        return f"each edge is made of straight pieces, {off}"
+    if options.method in ("paper", "vertex"):
+        return "each edge is one straight piece, however long"
+    return f"each edge is one straight piece, {off}"
 
 
 def _lens(mapping: Mapping) -> str:

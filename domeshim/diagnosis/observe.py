@@ -12,7 +12,6 @@ import json
 import sys
 import time
 from collections.abc import Sequence
-from dataclasses import asdict
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -29,8 +28,14 @@ from domeshim.program import run_program
 if TYPE_CHECKING:
     from domeshim.driver import Driver
     from domeshim.session import Session
+    from domeshim.state.context import DomeContext
     from domeshim.window.contract import Window
 
+_IMPOSSIBLE = {
+    "own": ["subdivision: its long edges stay straight"],
+    "unbent": ["bending: it is drawn as on the monitor"],
+}
+"""What cannot be had in a way to draw of each kind."""
 _seconds = time.perf_counter  # kept from before the pinning of the time module
 
 
@@ -41,6 +46,7 @@ class Observer(Photographer):
         super().__init__((frame,), self._write, timeout)
         self._folder = folder
         self._driver: Any = None
+        self._passes: Any = None
         self._calls = Calls()
 
     def follow(self, session: Session) -> Photographer:
@@ -53,15 +59,20 @@ class Observer(Photographer):
         super().frame_finished(window, number)
         if self._driver is not None:
             self._driver.begin_picture()
+            self._passes.begin_picture()
         self._calls.begin_picture()
 
     def _watched(self) -> Driver:
         from OpenGL import GL, GLU  # noqa: PLC0415 - the program has imported it by now
 
+        from domeshim.diagnosis.passes import Passes  # noqa: PLC0415
         from domeshim.diagnosis.watch import WatchedDriver  # noqa: PLC0415
 
         self._driver = WatchedDriver(_seconds)
         self._driver.watch_module(GL)
+        self._driver.watch_subdivision()
+        self._passes = Passes(self._driver)
+        self._passes.watch()
         self._calls.watch(GL, GLU)
         return self._driver  # type: ignore[no-any-return] # loaded late
 
@@ -76,39 +87,48 @@ class Observer(Photographer):
         }
         context = session.dome.context_of(window) if isinstance(session.dome, Dome) else None
         if context is not None:
-            seen["draws"] = self._draws({made.name: recipe for recipe, made in context.programs.items()})
+            recipes = {made.name: recipe for recipe, made in context.programs.items()}
+            seen["draws"] = self._draws(recipes, context, session.options)
+            seen |= self._passes.seen(session.options, context.canvas)
             main = context.placer.main.view
             seen["perspective"] = main.camera.tolist() if main is not None else None
         (self._folder / "seen.json").write_text(json.dumps(seen))
 
-    def _draws(self, recipes: dict[int, Any]) -> list[dict[str, Any]]:
-        from domeshim.diagnosis.needs import left_out, needs  # noqa: PLC0415 - as above
+    def _draws(self, recipes: dict[int, Any], context: DomeContext, options: Options) -> list[dict[str, Any]]:
+        """Each distinct way to draw."""
+        from domeshim.diagnosis.needs import approximated, left_out, needs  # noqa: PLC0415 - as above
 
         found = []
         for program, tally in self._driver.tallies.items():
-            kind, recipe = self._kind(program, recipes.get(program)), recipes.get(program)
-            made = self._driver.made[program]
-            if recipe is not None and recipe.patch is not None:
-                tally.primitives = tally.vertices // recipe.patch.corners
+            recipe, made = recipes.get(program), self._driver.made[program]
+            kind = self._kind(program, recipe, context)
+            passes = len(context.canvas.views) if kind in ("draw", "own") else 1
             found.append(
                 {
-                    **asdict(tally),
-                    "needs": needs(recipe) if recipe else [],
-                    "left_out": left_out(recipe) if recipe else [],
                     "kind": kind,
+                    "passes": passes,
+                    "draws": tally.draws // passes,
+                    "vertices": tally.vertices // passes,
+                    "primitives": tally.primitives // passes,
+                    "generated": tally.generated,
+                    "needs": needs(recipe) + (["cut on the CPU"] if tally.cut else []) if recipe else [],
+                    "left_out": left_out(recipe) if recipe else [],
+                    "approximated": approximated(recipe, options, cut=tally.cut) if recipe else [],
+                    "impossible": _IMPOSSIBLE.get(kind, []) if not options.cubemap else [],
+                    "shaders": made.shaders,
                     "characters": made.characters,
                     "seconds": made.seconds,
                 }
             )
         return sorted(found, key=lambda each: -each["vertices"])
 
-    def _kind(self, program: int, recipe: Any) -> str:
-        """Whose program it is: the dome's for a draw, its own for the rim, the program's, or none."""
+    def _kind(self, program: int, recipe: Any, context: DomeContext) -> str:
+        """Whose program it is: the dome's for a draw or for a pass of that name, the program's, or none."""
         if recipe is not None:
             return "draw"
-        if program in self._driver.made:
-            return "rim"
-        return "own" if program else "unbent"
+        if program in self._driver.owners:
+            return str(self._driver.owners[program])
+        return "own" if context.own.named(program) is not None else "unbent"
 
 
 def main(arguments: Sequence[str]) -> None:

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Callable
 from contextlib import contextmanager
-from ctypes import c_uint
-from dataclasses import dataclass, field
+from ctypes import c_int, c_uint
+from dataclasses import dataclass
 from functools import wraps
 from typing import TYPE_CHECKING, Any
 
+from domeshim.draw import subdivide
 from domeshim.draw.patches import corners
 from domeshim.driver import Driver
 
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 _PATCHES, _PRIMITIVES_GENERATED, _QUERY_RESULT = 0x000E, 0x8C87, 0x8866
+_CURRENT_PROGRAM, _SOURCE_LENGTH, _MOST_SHADERS = 0x8B8D, 0x8B88, 16
 _QUADS, _QUAD_STRIP, _POLYGON = 7, 8, 9
 _COMPILE_AND_EXECUTE = 0x1301
 _PROGRAM_DRAWS = ("glDrawArrays", "glDrawElements", "glDrawRangeElements", "glMultiDrawArrays")
@@ -33,21 +35,25 @@ class Tally:
     """Points, lines and triangles that these make."""
     generated: int = 0
     """What came of them, subdivided or not."""
+    cut: bool = False
+    """Some of it was cut on the CPU."""
 
     def add(self, other: Tally) -> None:
         """Count the other's as well."""
         self.draws += other.draws
         self.vertices += other.vertices
         self.primitives += other.primitives
+        self.cut = self.cut or other.cut
 
 
 @dataclass
 class Made:
     """What it took to make one program."""
 
+    shaders: int = 0
     characters: int = 0
     seconds: float = 0.0
-    shaders: list[int] = field(default_factory=list)
+    """To compile and link it, as far as the dome did that."""
 
 
 class WatchedDriver(Driver):
@@ -61,18 +67,53 @@ class WatchedDriver(Driver):
         """By the name of the program that was bound; 0 where none of the dome's was."""
         self.made: defaultdict[int, Made] = defaultdict(Made)
         """By the program's name."""
-        self._shaders: defaultdict[int, Made] = defaultdict(Made)
-        self._bound = 0
+        self._compiling: defaultdict[int, float] = defaultdict(float)
+        """Seconds, by the shader's name."""
         self._block = 0, 0
         """The mode of glBegin, and the vertices since."""
         self._listing: Tally | None = None
         self._listed: dict[int, Tally] = {}
         self._name = self._mode = 0
         self._query = 0
+        self._given: Tally | None = None
+        """The primitives that the program gave, while their pieces are drawn."""
+        self.doing = ""
+        """The pass over the picture that is under way, if one is."""
+        self.owners: dict[int, str] = {}
+        """Whose pass it was that drew by a program, by that one's name."""
+        self.blits: Counter[str] = Counter()
+        """Copies from framebuffer to framebuffer, by the pass that made them."""
 
     def begin_picture(self) -> None:
         """Count from the start."""
         self.tallies.clear()
+        self.blits.clear()
+
+    def watch_subdivision(self) -> None:
+        """Count what is subdivided as the program gave it."""
+        for name, cut, primitives in (
+            (
+                "draw_patches",
+                False,
+                lambda run, kind, *_: len(run.positions) // (3 if kind == "triangles" else 2),
+            ),
+            ("draw_cut", True, lambda run, *_: len(run.positions) // 3),
+            ("draw_strips", True, lambda _run, lines, *_: len(lines)),
+        ):
+            setattr(subdivide, name, self._counted_as_given(getattr(subdivide, name), primitives, cut=cut))
+
+    def _counted_as_given(
+        self, original: Callable[..., None], primitives: Callable[..., int], *, cut: bool
+    ) -> Callable[..., None]:
+        @wraps(original)
+        def call(*args: Any) -> None:
+            self._given = Tally(primitives=primitives(*args), cut=cut)
+            try:
+                original(*args)
+            finally:
+                self._given = None
+
+        return call
 
     def watch_module(self, module: Any) -> None:
         """Count the draws as well that go to GL as the program makes them."""
@@ -94,35 +135,43 @@ class WatchedDriver(Driver):
 
     # Programs.
 
-    def glUseProgram(self, name: int) -> None:
-        """Note which program draws."""
-        self._bound = int(name)
-        self._gl.glUseProgram(name)
-
-    def glShaderSource(self, shader: int, count: int, texts: Any, lengths: Any) -> None:
-        """Note how long the text is."""
-        value = getattr(texts, "value", None)
-        self._shaders[int(shader)].characters = len(value) if isinstance(value, bytes) else 0
-        self._gl.glShaderSource(shader, count, texts, lengths)
+    @property
+    def _bound(self) -> int:
+        """The program that draws now, the dome's or the program's own; 0: GL's fixed stages."""
+        return self._gl.integer(_CURRENT_PROGRAM)
 
     def glCompileShader(self, shader: int) -> None:
         """Note how long it took."""
         began = self._seconds()
         self._gl.glCompileShader(shader)
-        self._shaders[int(shader)].seconds = self._seconds() - began
-
-    def glAttachShader(self, program: int, shader: int) -> None:
-        """Note what the program is made of."""
-        self.made[int(program)].shaders.append(int(shader))
-        self._gl.glAttachShader(program, shader)
+        self._compiling[int(shader)] = self._seconds() - began
 
     def glLinkProgram(self, program: int) -> None:
         """Note how long it took, with the time of its shaders."""
-        made, began = self.made[int(program)], self._seconds()
+        began = self._seconds()
         self._gl.glLinkProgram(program)
-        parts = [self._shaders[shader] for shader in made.shaders]
-        made.seconds = self._seconds() - began + sum(part.seconds for part in parts)
-        made.characters = sum(part.characters for part in parts)
+        seconds, shaders = self._seconds() - began, self._attached(program)
+        self.made[int(program)] = Made(
+            len(shaders),
+            sum(self._length(shader) for shader in shaders),
+            seconds + sum(self._compiling[shader] for shader in shaders),
+        )
+
+    def _attached(self, program: int) -> list[int]:
+        count, names = c_int(), (c_uint * _MOST_SHADERS)()
+        self._gl.glGetAttachedShaders(program, _MOST_SHADERS, count, names)
+        return list(names[: count.value])
+
+    def _length(self, shader: int) -> int:
+        """Of a shader's text, without GL's zero behind it."""
+        length = c_int()
+        self._gl.glGetShaderiv(shader, _SOURCE_LENGTH, length)
+        return max(length.value - 1, 0)
+
+    def glBlitFramebuffer(self, *args: Any) -> None:
+        """Count it."""
+        self.blits[self.doing] += 1
+        self._gl.glBlitFramebuffer(*args)
 
     # Draws.
 
@@ -190,7 +239,7 @@ class WatchedDriver(Driver):
         if listed is None or not listed.draws:
             call_list(name)
             return
-        self._count(Tally(1, listed.vertices, listed.primitives))
+        self._count(Tally(1, listed.vertices, listed.primitives, cut=listed.cut))
         self._begin_query()
         call_list(name)
         self._end_query()
@@ -208,6 +257,10 @@ class WatchedDriver(Driver):
         self._end_query()
 
     def _count(self, tally: Tally) -> None:
+        if self._given is not None:
+            tally.primitives, tally.cut = self._given.primitives, self._given.cut
+        if self.doing:
+            self.owners[self._bound] = self.doing
         if self._listing is not None:
             self._listing.add(tally)
             if self._mode != _COMPILE_AND_EXECUTE:

@@ -24,6 +24,10 @@ class Seen:
     size: tuple[int, int]
     draws: tuple[dict[str, Any], ...]
     """One for each distinct way to draw, that with the most vertices first: see observe.Observer."""
+    passes: tuple[dict[str, Any], ...]
+    """Each kind of pass that made the picture: its name, and how often it was made; the scene's into what."""
+    spared: tuple[str, ...]
+    """Passes that nothing asked for."""
     calls: dict[str, Any]
     """counts by name, and viewports."""
     perspective: list[list[float]] | None
@@ -61,6 +65,8 @@ def watched(program: Program, frame: int, size: tuple[int, int], settings: Mappi
         seen["frame"],
         tuple(seen["size"]),
         tuple(seen["draws"]),
+        tuple(seen.get("passes", ())),
+        tuple(seen.get("spared", ())),
         seen["calls"],
         seen.get("perspective"),
         notes,

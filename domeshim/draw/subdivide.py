@@ -77,13 +77,13 @@ def subdivide(
         if kind == "points":
             drawer.draw_all(POINTS, taken(run, indices), context.draw)
         elif kind == "lines" and (subdivision.method == "cpu" or stippled(context)):
-            _draw_strips(run, indices, context, drawer)
+            draw_strips(run, indices, context, drawer)
         elif subdivision.method is None and kind == "triangles":
             drawer.draw_all(TRIANGLES, taken(run, indices), context.draw)
         elif subdivision.method == "cpu":
-            _draw_triangles(taken(run, indices), context, drawer)
+            draw_cut(taken(run, indices), context, drawer)
         else:
-            _draw_patches(taken(run, indices), kind, context, drawer, subdivision)
+            draw_patches(taken(run, indices), kind, context, drawer, subdivision)
     return True
 
 
@@ -109,9 +109,10 @@ def _draw_chosen(
     return True
 
 
-def _draw_patches(
+def draw_patches(
     piece: Run, kind: Edged, context: DomeContext, drawer: Drawer, subdivision: Subdivision
 ) -> None:
+    """Draw a piece of a run, primitive after primitive, as patches."""
     lengthened = subdivision.lengthened and kind == "lines"
     method: PatchMethod = "geometry" if subdivision.method == "geometry" or lengthened else "tessellate"
     patch = Patch(kind, method, subdivision.split, lengthened)
@@ -120,7 +121,8 @@ def _draw_patches(
     drawer.draw_all(patch.mode, piece, partial(context.draw, patch=patch))
 
 
-def _draw_triangles(piece: Run, context: DomeContext, drawer: Drawer) -> None:
+def draw_cut(piece: Run, context: DomeContext, drawer: Drawer) -> None:
+    """Draw triangles of a run, one after the other, cut on the CPU."""
     if context.scene_now().lighting is not None:
         context.say_once("method cpu lights large polygons at more places than their own corners")
     limit = context.subdividing.tolerance.limit(1 / context.subdividing.tolerance.detail)
@@ -134,7 +136,8 @@ def _draw_triangles(piece: Run, context: DomeContext, drawer: Drawer) -> None:
     drawer.draw_all(TRIANGLES, piece, _drawing_cut("triangles", context))
 
 
-def _draw_strips(run: Run, lines: Indices, context: DomeContext, drawer: Drawer) -> None:
+def draw_strips(run: Run, lines: Indices, context: DomeContext, drawer: Drawer) -> None:
+    """Draw lines of a run cut on the CPU; lines: (n, 2) indices."""
     limit = context.subdividing.tolerance.limit(1 / context.subdividing.tolerance.detail)
     strips = line_strips(
         drawer.completed(run),

@@ -66,17 +66,47 @@ def test_each_way_to_draw_with_what_it_needs_and_leaves_out(explain):
     assert (lit["draws"], lit["vertices"], lit["primitives"]) == (1, 30, 28)
     assert "fog by distance" in lit["needs"]
     assert not {"lighting", "fog"} & set(lit["left_out"])
-    assert long["generated"] > long["primitives"]
+    assert long["primitives"] == 2  # as the program gave them, before they are halved on the CPU
+    assert long["generated"] > 10
     assert any(word.startswith("triangles subdivided") for word in long["needs"])
     assert lit["characters"] > plain["characters"] > 500
     assert all(way["seconds"] > 0 for way in ways.values())
+    assert (plain["passes"], plain["shaders"], long["shaders"]) == (1, 1, 3)
+    assert plain["approximated"] == ["each edge is one straight piece, within 0.5 pixels of its curve"]
+    assert long["approximated"] == ["each edge is made of straight pieces, within 0.5 pixels of its curve"]
+    assert {way["kind"] for way in seen["draws"]} == {"draw", "rim"}
+    names = [each["name"] for each in seen["passes"]]
+    assert names == ["scene", "rim", "multisample resolve"]
+    assert {"resampling", "finish", "second eye", "6 faces of a cube"} <= set(seen["spared"])
+
+
+def test_the_passes_of_a_picture(explain):
+    seen = json.loads(explain("--json", "--method", "cubemap", "--mirror", "both").stdout)
+    assert seen["passes"][0] == {"name": "scene", "times": 5, "into": "5 faces of a cube"}
+    names = {each["name"]: each["times"] for each in seen["passes"][1:]}
+    assert names == dict.fromkeys(
+        ("multisample resolve of the faces", "resampling", "rim", "finish", "multisample resolve"), 1
+    )
+    assert "1 face of a cube" in seen["spared"]
+    plain = next(way for way in seen["draws"] if "fog" in way["left_out"] and way["kind"] == "draw")
+    assert (plain["draws"], plain["passes"]) == (6, 5)
+    assert plain["generated"] == 5 * plain["primitives"]
+    assert "the faces are resampled, which softens" in plain["approximated"]
+
+
+def test_what_the_cpu_cuts_and_what_two_eyes_take(explain):
+    result = explain("--method", "cpu", "--stereo", "left-right", "--size", "256x128")
+    assert "passes        the scene into a disc for each eye; rim" in result.stdout
+    assert "draws in 2 passes, " in result.stdout
+    assert "cut on the CPU" in result.stdout
+    assert "each edge is made of straight pieces, within 0.5 pixels of its curve" in result.stdout
 
 
 def test_the_text_and_failures(explain, tmp_path):
     result = explain()
     assert (result.returncode, result.stderr) == (0, "")
-    assert "needs     on the dome, method vertex" in result.stdout
-    assert "left out  " in result.stdout
+    assert "needs         on the dome, method vertex" in result.stdout
+    assert "   left out      " in result.stdout
     result = explain("--fov", "x")
     assert (result.returncode, result.stdout) == (2, "")
     assert result.stderr.startswith("domeshim: --fov=x: not a number")
