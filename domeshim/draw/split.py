@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from domeshim.lens.detail import room_behind
 from domeshim.record.runs import Run
 
 _MOST_ROUNDS = 64
@@ -64,7 +65,7 @@ class Limit:
     def _near(self, behind: Floats) -> Floats:
         if self.least == 1:
             return np.full_like(behind, self.widest)
-        near = np.maximum(behind, self.least)
+        near = room_behind(behind, self.least)
         limits: Floats = np.minimum(self.widest * np.minimum(near, 1.0), near * _SHARE)
         return limits
 

@@ -68,6 +68,16 @@ def pieces_per_radian(
     return max(wanted, lens.least_detail)
 
 
+def room_behind(behind: NDArray[np.floating], least: float) -> NDArray[np.floating]:
+    """How long an arc's pieces may be as a share of those elsewhere, and how much room it has behind.
+
+    behind: (...), the arc's least angle from straight behind; least: nothing closer is drawn; in radians.
+    The share is at most 1, wherever this is more. Where what is drawn ends, the inside of triangles is seen,
+    which is less even than their edges: there pieces are a third shorter. Twin of tessellate/pieces_behind.
+    """
+    return np.asarray(np.maximum(behind, least) - least / 3)
+
+
 def cone(half_angle: float) -> tuple[float, float]:
     """The uniform domeRim of what is left out behind, a cone or a wedge, by its half angle in radians."""
     return float(np.cos(half_angle)), float(np.sin(half_angle))

@@ -234,15 +234,24 @@ def _farthest_from_curves(pieces: Floats, curves: Floats, sight: Sight) -> float
     if not len(places):
         return 0.0
     from_rim = sight.rim - np.linalg.norm(places, axis=-1)
-    starts, ends = curves[:, :-1, :2].reshape(-1, 2), curves[:, 1:, :2].reshape(-1, 2)
-    whole = np.isfinite(starts).all(1) & np.isfinite(ends).all(1)
-    starts, ends = starts[whole], ends[whole]
-    if not len(starts):
-        return float(from_rim.max())
-    _, near = cKDTree((starts + ends) / 2).query(places, k=min(3, len(starts)))
-    near = near.reshape(len(places), -1)
-    apart = _to_segments(places[:, None], starts[near], ends[near]).min(1)
-    return float(np.minimum(apart, from_rim).max())
+    apart = from_rim
+    for curve in curves:
+        even = _evenly(curve[np.isfinite(curve).all(1), :2])
+        if len(even) > 1:
+            _, near = cKDTree((even[1:] + even[:-1]) / 2).query(places, k=min(3, len(even) - 1))
+            near = near.reshape(len(places), -1)
+            apart = np.minimum(apart, _to_segments(places[:, None], even[near], even[near + 1]).min(1))
+    return float(apart.max())
+
+
+def _evenly(curve: Floats) -> Floats:
+    """(m, 2): places of a curve, (n, 2), equally far apart: the nearest middle is that of the nearest part."""
+    lengths = np.linalg.norm(np.diff(curve, axis=0), axis=-1)
+    along = np.concatenate([[0.0], np.cumsum(lengths)])
+    if not along[-1] > 0:
+        return curve[:2]
+    even = np.linspace(0, along[-1], 10 * _SAMPLES)
+    return np.stack([np.interp(even, along, curve[:, axis]) for axis in range(2)], -1)
 
 
 def _farthest_from_pieces(curves: Floats, pieces: Floats, sight: Sight) -> float:

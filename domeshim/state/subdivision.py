@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from domeshim.draw.primitives import Primitives
 from domeshim.draw.split import Floats, Limit, edges_of
 from domeshim.driver import Driver
-from domeshim.lens.detail import pieces_per_radian, straight_behind
+from domeshim.lens.detail import pieces_per_radian, room_behind, straight_behind
 from domeshim.lens.landing import Lens
 from domeshim.lens.orientation import Orientation
 from domeshim.options import Options
@@ -115,7 +115,8 @@ class Tolerance:
 
         behind: its least angle from straight behind; both in radians.
         """
-        return angle * self.detail > max(self.least, min(behind, 1.0))
+        share = 1.0 if self.least == 1 else min(float(room_behind(np.array(behind), self.least)), 1.0)
+        return angle * self.detail > share
 
     def subdivision(self, angle: float, behind: float, scene: Callable[[], Scene]) -> Subdivision | None:
         """What a mesh needs whose edges subtend at most this angle, and come this close to straight behind.
@@ -138,7 +139,8 @@ class Tolerance:
         limit, corners = self._widest(scene), primitives.corners
         angles, room = primitives.spheres.largest_angles(to_eye), 1.0
         if self.least < 1:
-            room = np.clip(primitives.spheres.least_angles_from(self.aft, to_eye), self.least, 1.0)
+            behind = primitives.spheres.least_angles_from(self.aft, to_eye)
+            room = np.minimum(room_behind(behind, self.least), 1.0)
         levels = np.zeros(len(angles), np.int8)
         near = np.flatnonzero(angles * self.detail > room)
         near = near[_over(corners[near], to_eye, self.limit(1 / self.detail))]

@@ -102,8 +102,8 @@ def test_around_straight_behind_edges_shrink_with_their_distance_from_it():
 def test_straight_behind_makes_no_difference_where_it_is_not_seen():
     assert Limit(WIDEST).at(0.0) == WIDEST
     assert Limit(WIDEST, AFT, 0.01).at(2.5) == WIDEST
-    assert Limit(WIDEST, AFT, 0.01).at(0.1) == pytest.approx(0.05)
-    assert Limit(WIDEST, AFT, 0.01).at(0.0) == pytest.approx(0.005)
+    assert Limit(WIDEST, AFT, 0.01).at(0.1) == pytest.approx((0.1 - 0.01 / 3) / 2)
+    assert Limit(WIDEST, AFT, 0.01).at(0.0) == pytest.approx(0.01 / 3)
 
 
 def test_an_edge_too_stiff_for_single_precision_is_cut_until_it_may_stay_whole():

@@ -42,6 +42,12 @@ def test_a_line_in_many_pieces_is_where_it_should_be():
     assert inside == 0
 
 
+def test_a_short_edge_where_a_long_one_ends_hides_nothing_of_it():
+    short = np.array([EDGE[1], EDGE[1] + [0, 1e-5, 0, 0]])
+    drawn = np.concatenate([pieces(500), short[None]])
+    assert deviation(caught(drawn), np.array([EDGE, short]), NOTHING, SIGHT).edges < 1e-5
+
+
 @pytest.mark.parametrize("count", [4, 8, 16])
 def test_the_chord_error_of_a_line_is_as_the_formula_says(count):
     angle = np.arccos(EDGE[0, :3] @ EDGE[1, :3] / (EDGE[0, :3] @ EDGE[0, :3]))

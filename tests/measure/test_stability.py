@@ -32,6 +32,12 @@ def test_every_case_keeps_the_tolerance(rows):
     assert {name: pixels for name, pixels in off.items() if pixels > TOLERANCE} == {}
 
 
+def test_what_is_left_out_straight_behind_is_narrower_than_the_tolerance():
+    around = [case for case in EXTREMES if case.name == "fov 360, triangle around straight behind"]
+    [row], _ = measure(around, {"auto": (2048.0,)}, lambda row: row)
+    assert 0.1 < row.pixels(2048, TOLERANCE).edges <= 0.6 * TOLERANCE
+
+
 def test_places_inside_a_surface_are_off_by_little_more(rows):
     inside = [row.pixels(size, TOLERANCE).inside for row in rows for size in SIZES]
     assert 0 < max(inside) < 3 * TOLERANCE
