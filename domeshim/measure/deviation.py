@@ -245,7 +245,7 @@ def _farthest_from_curves(pieces: Floats, curves: Floats, sight: Sight) -> float
 
 
 def _evenly(curve: Floats) -> Floats:
-    """(m, 2): places of a curve, (n, 2), equally far apart: the nearest middle is that of the nearest part."""
+    """(m, 2): places of a curve, (n, 2), equally far apart: the nearest middle is the nearest part's."""
     lengths = np.linalg.norm(np.diff(curve, axis=0), axis=-1)
     along = np.concatenate([[0.0], np.cumsum(lengths)])
     if not along[-1] > 0:
