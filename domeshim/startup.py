@@ -5,11 +5,12 @@ Light on purpose: with DOME=1 every Python of that environment passes here, whet
 
 from __future__ import annotations
 
+import gc
 import os
 import sys
 import threading
 from collections import deque
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -20,6 +21,7 @@ from domeshim.intercept.inner import PUBLIC
 from domeshim.session import Session, begin, current
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
     from types import ModuleType, TracebackType
 
     from domeshim.intercept.overlay import Overlay
@@ -66,8 +68,9 @@ class Installation:
         self._arrived.append((name, module))
         while self._arrived and self._busy.acquire(blocking=False):
             try:
-                while self._arrived:
-                    self._the_overlay().module_imported(*self._arrived.popleft())
+                with _nothing_collected():
+                    while self._arrived:
+                        self._the_overlay().module_imported(*self._arrived.popleft())
             finally:
                 self._busy.release()
 
@@ -83,6 +86,18 @@ class Installation:
             say(str(error))
         else:
             self._former_hook(kind, error, trace)
+
+
+@contextmanager
+def _nothing_collected() -> Iterator[None]:
+    """Within it Python does not look for garbage: imports leave next to none, and looking takes long."""
+    collecting = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if collecting:
+            gc.enable()
 
 
 def install(dome: bool = True) -> None:

@@ -29,7 +29,7 @@ def open_window(
     frame = options.frame if options.enabled else None
     display = options.display if options.enabled else None
     events = QueuedEvents(state)
-    wanted = _surface_format(state, session.backend.dome_samples if options.enabled else 0)
+    wanted = _surface_format(state, on_dome=options.enabled)
     in_quad = options.enabled and options.stereo == "quad"
     try:
         surface = session.backend.open_window(
@@ -64,7 +64,7 @@ def open_subwindow(
     outer = outermost(state, parent)
     on_dome = session.options.enabled
     size = (max(size[0], 1), max(size[1], 1))
-    wanted = _surface_format(state, session.backend.dome_samples if on_dome else 0)
+    wanted = _surface_format(state, on_dome=on_dome)
     events = QueuedEvents(state)
     try:
         hidden = session.backend.open_window(
@@ -116,10 +116,10 @@ def _shared(state: GlutState) -> Window | None:
     return surface.surface if isinstance(surface, SubWindow) else surface
 
 
-def _surface_format(state: GlutState, dome_samples: int) -> SurfaceFormat:
+def _surface_format(state: GlutState, *, on_dome: bool) -> SurfaceFormat:
     """Return what the program asked for and no more: without a depth buffer nothing is hidden, as there."""
     mode = state.display_mode
-    multisampled = mode & c.GLUT_MULTISAMPLE
+    samples = None if on_dome else 0
     return SurfaceFormat(
         double_buffer=bool(mode & c.GLUT_DOUBLE),
         depth=bool(mode & c.GLUT_DEPTH),
@@ -127,5 +127,5 @@ def _surface_format(state: GlutState, dome_samples: int) -> SurfaceFormat:
         alpha=bool(mode & c.GLUT_ALPHA),
         accumulation=bool(mode & c.GLUT_ACCUM),
         stereo=bool(mode & c.GLUT_STEREO),
-        samples=state.samples if multisampled else dome_samples,
+        samples=state.samples if mode & c.GLUT_MULTISAMPLE else samples,
     )

@@ -20,7 +20,12 @@ class SurfaceFormat:
     alpha: bool = True
     accumulation: bool = False
     stereo: bool = False
-    samples: int = 0
+    samples: int | None = 0
+    """None: as many as suit the dome, for a program that asks for none."""
+
+
+DOME_SAMPLES = 4
+"""As many suit the dome where a GPU draws, and off screen."""
 
 
 @dataclass(frozen=True)
@@ -149,11 +154,6 @@ class Backend(ABC):
     """A way to get windows: on a screen, or off it."""
 
     name: str
-
-    @property
-    @abstractmethod
-    def dome_samples(self) -> int:
-        """Samples a pixel for a dome picture where the program asks for none."""
 
     @abstractmethod
     def open_window(

@@ -10,16 +10,19 @@ from dataclasses import replace
 from typing import Any
 
 import glfw
+from OpenGL import GL
 from OpenGL.platform import PLATFORM
 
-from domeshim.window.contract import SurfaceFormat
+from domeshim.window.contract import DOME_SAMPLES, SurfaceFormat
 
+_PROCESSOR = ("llvmpipe", "softpipe", "swrast", "software")
+"""In the names of renderers that draw without a GPU."""
 _ACCUMULATION = (glfw.ACCUM_RED_BITS, glfw.ACCUM_GREEN_BITS, glfw.ACCUM_BLUE_BITS, glfw.ACCUM_ALPHA_BITS)
 
 
 def attempts(wanted: SurfaceFormat) -> Iterator[tuple[SurfaceFormat, bool]]:
     """Yield formats from the wish downwards, each with whether the context shall have two colour buffers."""
-    samples = wanted.samples
+    samples = wanted.samples or 0
     while True:
         attempt = replace(wanted, samples=samples)
         yield attempt, wanted.double_buffer
@@ -53,13 +56,23 @@ def create(
         glfw.STENCIL_BITS: 8 if surface.stencil else 0,
         glfw.ALPHA_BITS: 8 if surface.alpha else 0,
         glfw.STEREO: surface.stereo,
-        glfw.SAMPLES: surface.samples,
+        glfw.SAMPLES: surface.samples or 0,
     }
     if surface.accumulation:
         hints |= dict.fromkeys(_ACCUMULATION, 16)
     for hint, value in hints.items():
         glfw.window_hint(hint, int(value))
     return glfw.create_window(*size, title, None, shared)
+
+
+def dome_samples(handle: Any) -> int:
+    """As many samples as suit the dome on this window's driver.
+
+    0 where the processor draws, for there they cost a simple picture ten times its time.
+    """
+    glfw.make_context_current(handle)
+    renderer = GL.glGetString(GL.GL_RENDERER).decode(errors="replace").lower()
+    return 0 if any(name in renderer for name in _PROCESSOR) else DOME_SAMPLES
 
 
 @contextmanager

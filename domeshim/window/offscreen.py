@@ -9,7 +9,7 @@ from typing import Any
 from OpenGL.platform import PLATFORM
 
 from domeshim.errors import ScreenError
-from domeshim.window.contract import Backend, SurfaceFormat, Window, WindowEvents
+from domeshim.window.contract import DOME_SAMPLES, Backend, SurfaceFormat, Window, WindowEvents
 from domeshim.window.egl import EGL
 
 SURFACELESS, DEVICE = 0x31DD, 0x313F  # EGL_PLATFORM_SURFACELESS_MESA, EGL_PLATFORM_DEVICE_EXT
@@ -22,7 +22,6 @@ class OffscreenBackend(Backend):
     """Opens pixel buffers; each has a context of its own and is as large as it was asked to be."""
 
     name = "offscreen"
-    dome_samples = 4
 
     def __init__(self, part: tuple[int, int, int, int] | None = None) -> None:
         """Connect to the first EGL platform that offers a desktop GL.
@@ -237,7 +236,7 @@ def _devices() -> list[Any]:
 
 def _choose_config(display: Any, wanted: SurfaceFormat) -> tuple[Any, SurfaceFormat]:
     """Return the configuration nearest to the wish, and what it really holds; fewer samples before none."""
-    samples = wanted.samples
+    samples = DOME_SAMPLES if wanted.samples is None else wanted.samples
     while True:
         config = _find_config(display, wanted, samples)
         if config is not None:

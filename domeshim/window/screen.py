@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import cached_property
 from typing import Any
 
 import glfw
@@ -11,7 +10,7 @@ from OpenGL import GL
 
 from domeshim.errors import ScreenError
 from domeshim.window.contract import Backend, Joystick, SurfaceFormat, Window, WindowEvents
-from domeshim.window.handles import attempts, complaints, create
+from domeshim.window.handles import attempts, complaints, create, dome_samples
 from domeshim.window.x11 import order_on_x11
 
 _CURSORS = {
@@ -22,8 +21,6 @@ _CURSORS = {
     "hresize": glfw.HRESIZE_CURSOR,
     "vresize": glfw.VRESIZE_CURSOR,
 }
-_PROCESSOR = ("llvmpipe", "softpipe", "swrast", "software")
-"""In the names of renderers that draw without a GPU."""
 
 
 class ScreenBackend(Backend):
@@ -36,31 +33,21 @@ class ScreenBackend(Backend):
 
         Raises ScreenError where there is none.
         """
+        self._windows: list[ScreenWindow] = []
+        self._dome_samples: int | None = None
+        """As many suit the dome; known with the first window."""
         failures = []
         for platform in (glfw.PLATFORM_X11, glfw.PLATFORM_WAYLAND, glfw.ANY_PLATFORM):
             with complaints() as said:
                 glfw.init_hint(glfw.PLATFORM, platform)
                 glfw.init_hint(glfw.JOYSTICK_HAT_BUTTONS, False)
                 if glfw.init():
-                    self._windows: list[ScreenWindow] = []
                     return
             failures += [words for words in said if words not in failures]
         raise ScreenError(
             f"no display to open a window on ({'; '.join(failures)}): set DISPLAY or WAYLAND_DISPLAY, "
             "or use `domeshim capture` to write pictures without a display"
         )
-
-    @cached_property
-    def dome_samples(self) -> int:
-        """4; none where the processor draws, for there they cost a simple picture ten times its time."""
-        with complaints():
-            handle = create("", (1, 1), SurfaceFormat(), True, None, shown=False)
-        if not handle:
-            return 4
-        glfw.make_context_current(handle)
-        renderer = GL.glGetString(GL.GL_RENDERER).decode(errors="replace").lower()
-        glfw.destroy_window(handle)
-        return 0 if any(name in renderer for name in _PROCESSOR) else 4
 
     def open_window(
         self,
@@ -75,14 +62,27 @@ class ScreenBackend(Backend):
     ) -> Window:
         """Open a window, with fewer samples or two colour buffers where the driver has nothing nearer.
 
+        Where nobody knows yet how many samples suit the dome, one without any is opened first, and kept if
+        that is how many.
+
         Raises ScreenError with glfw's words where it has nothing at all.
         """
         shared = share.handle if isinstance(share, ScreenWindow) else None
+        if surface.samples is None:
+            surface = replace(surface, samples=self._dome_samples)
+        unsure = surface.samples is None
         failures: list[str] = []
         for attempt, really_double in attempts(surface):
             with complaints() as said:
-                handle = create(title, size, attempt, really_double, shared, shown=shown)
+                handle = create(title, size, attempt, really_double, shared, shown=shown and not unsure)
             failures += [words for words in said if words not in failures]
+            if handle and unsure:
+                self._dome_samples = dome_samples(handle)
+                if self._dome_samples:
+                    glfw.destroy_window(handle)
+                    return self.open_window(title, size, position, surface, events, share, shown=shown)
+                if shown:
+                    glfw.show_window(handle)
             if handle:
                 window = ScreenWindow(handle, attempt, events)
                 self._windows.append(window)

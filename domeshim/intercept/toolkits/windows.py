@@ -7,10 +7,9 @@ from collections.abc import Callable
 from domeshim.driver import Driver
 from domeshim.session import Session
 from domeshim.startup import say
-from domeshim.window.contract import SurfaceFormat, Window, WindowEvents
+from domeshim.window.contract import DOME_SAMPLES, SurfaceFormat, Window, WindowEvents
 from domeshim.window.dome_keys import DOME_KEYS, is_dome_key
 
-_SAMPLES_ON_SCREEN = 4  # as window/screen.py, which cannot be asked without opening a display of its own
 _VERSION = 0x1F02
 _CONTEXT_FLAGS, _PROFILE_MASK = 0x821E, 0x9126
 _FORWARD_COMPATIBLE, _CORE = 1, 1
@@ -93,10 +92,8 @@ class ToolkitHost:
 
     @property
     def samples_wished(self) -> int:
-        """Samples a pixel on the dome for a program that asks for none, as many as in a GLUT window."""
-        if not self.session.options.enabled:
-            return 0
-        return self.session.backend.dome_samples if self.gives_windows else _SAMPLES_ON_SCREEN
+        """Samples a pixel on the dome for a program that asks for none: as in GLUT's windows on a GPU."""
+        return DOME_SAMPLES if self.session.options.enabled else 0
 
     def say_once(self, words: str) -> None:
         """Tell the user what cannot be done as on GLUT's windows, the first time only."""
