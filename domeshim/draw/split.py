@@ -18,6 +18,8 @@ from domeshim.record.runs import Run
 _MOST_ROUNDS = 64
 _SHARE = 0.5
 """How long an edge may be as a share of its angle from straight behind: its pieces are alike then."""
+_HORIZON = 1e-6
+"""How small a share of a primitive's largest w still lies ahead: far outside of any view."""
 _ENDS = {2: ([0], [1]), 3: ([0, 1, 2], [1, 2, 0])}
 """The two ends of each edge, by how many corners there are."""
 _STIFFEST = np.log(1e30)
@@ -129,7 +131,7 @@ def _pieces(run: Run, corners: int, to_eye: Floats, limit: Limit) -> tuple[NDArr
     places = homogeneous(run.positions).reshape(-1, corners, 4)
     parents = np.flatnonzero(np.isfinite(places).all((1, 2)))
     weights = np.broadcast_to(np.eye(corners), (len(places), corners, corners))
-    pieces = np.concatenate([places, weights], -1)[parents]
+    pieces, parents = ahead_of_viewer(np.concatenate([places, weights], -1)[parents], parents, to_eye)
     done_pieces, done_parents = [], []
     for _ in range(_MOST_ROUNDS):
         angles, limits, lengths = edges_of((pieces[:, :, None, :4] * to_eye).sum(-1), limit)
@@ -145,6 +147,57 @@ def _pieces(run: Run, corners: int, to_eye: Floats, limit: Limit) -> tuple[NDArr
         done_parents.append(parents)
     all_pieces = np.concatenate(done_pieces)
     return np.concatenate(done_parents), all_pieces[:, :, :4], all_pieces[:, :, 4:]
+
+
+def ahead_of_viewer(
+    pieces: Floats, parents: NDArray[np.intp], to_eye: Floats
+) -> tuple[Floats, NDArray[np.intp]]:
+    """Of pieces that have w both above 0 and below, by to_eye, what lies above: nothing else is seen of them.
+
+    So it is with what passes the viewer of a small view on the panel. An edge from one side to the other
+    passes infinity: halving it would not end. pieces: (m, corners, 4 or more), homogeneous places and what
+    goes with them; parents: (m,). Lines stay as many, and in their order.
+    """
+    w = (pieces[:, :, :4] * to_eye[3]).sum(-1)
+    heights = w - _HORIZON * np.abs(w).max(1, keepdims=True)
+    ahead = heights > 0
+    count = ahead.sum(1)
+    one, two = count == 1, (count == 2) & (ahead.shape[1] == 3)
+    if one.any():
+        pieces = pieces.copy()
+        pieces[one] = _point_ahead(pieces[one], heights[one])
+    if two.any():
+        pieces = np.concatenate([pieces[~two], *_edge_ahead(pieces[two], heights[two])])
+        parents = np.concatenate([parents[~two], np.tile(parents[two], 2)])
+    return pieces, parents
+
+
+def _point_ahead(pieces: Floats, heights: Floats) -> Floats:
+    """Of pieces with one corner above height 0, what lies there."""
+    rows, top = np.arange(len(pieces)), heights.argmax(1)
+    cut = pieces.copy()
+    for step in range(1, pieces.shape[1]):
+        other = (top + step) % pieces.shape[1]
+        cut[rows, other] = _at_height_0(pieces, heights, top, other)
+    return cut
+
+
+def _edge_ahead(pieces: Floats, heights: Floats) -> list[Floats]:
+    """Of triangles with two corners above height 0, what lies there: two triangles of each."""
+    rows, under = np.arange(len(pieces)), heights.argmin(1)
+    following, before = (under + 1) % 3, (under + 2) % 3
+    first, second = pieces.copy(), pieces.copy()
+    first[rows, under] = second[rows, following] = _at_height_0(pieces, heights, under, following)
+    second[rows, under] = _at_height_0(pieces, heights, under, before)
+    return [first, second]
+
+
+def _at_height_0(pieces: Floats, heights: Floats, start: NDArray[np.intp], end: NDArray[np.intp]) -> Floats:
+    """The point of height 0 between two corners of each piece, of which one lies above and one below."""
+    rows = np.arange(len(pieces))
+    a, b = np.abs(heights[rows, start])[:, None], np.abs(heights[rows, end])[:, None]
+    point: Floats = (b * pieces[rows, start] + a * pieces[rows, end]) / (a + b)
+    return point
 
 
 def edges_of(eye: Floats, limit: Limit) -> tuple[Floats, Floats, Floats]:

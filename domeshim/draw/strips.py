@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from domeshim.draw.patches import LINE_STRIP, Indices
-from domeshim.draw.split import Floats, Limit, edges_of, homogeneous, makes_color
+from domeshim.draw.split import Floats, Limit, ahead_of_viewer, edges_of, homogeneous, makes_color
 from domeshim.lens.weights import line_weights
 from domeshim.record.runs import Block, Run
 
@@ -28,16 +28,20 @@ def line_strips(
     """
     positions = homogeneous(run.positions)
     lines = lines[np.isfinite(positions[lines]).all((1, 2))]
-    angles, limits, distances = edges_of(positions[lines] @ to_eye.T, limit)
+    whole = np.broadcast_to(np.eye(2), (len(lines), 2, 2))
+    seen, _ = ahead_of_viewer(np.concatenate([positions[lines], whole], -1), np.arange(len(lines)), to_eye)
+    seen, shown = seen[:, :, :4], seen[:, :, 4:]
+    angles, limits, distances = edges_of(seen @ to_eye.T, limit)
     pieces = np.clip(np.ceil(angles / limits)[:, 0], 1, _MOST_PIECES).astype(int)
-    goes_on = lines[1:, 0] == lines[:-1, 1]
+    entire = (shown == whole).all((1, 2))
+    goes_on = (lines[1:, 0] == lines[:-1, 1]) & entire[1:] & entire[:-1]
     ends = np.append(~goes_on, True)[: len(lines)]
     counts = pieces + ends
     rows = np.repeat(np.arange(len(lines)), counts)
     steps = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
     second = steps / pieces[rows]
     shares = np.stack([1 - second, second], -1)
-    weights = line_weights(shares, angles[rows, 0], distances[rows])
+    weights = (line_weights(shares, angles[rows, 0], distances[rows])[:, None] @ shown[rows])[:, 0]
 
     def blended(values: Floats, weights: Floats) -> Floats:
         mixed: Floats = np.einsum("ij,ijk->ik", weights, values[lines[rows]])

@@ -115,3 +115,34 @@ def test_an_edge_too_stiff_for_single_precision_is_cut_until_it_may_stay_whole()
     stiff = lengths.max(1) / lengths.min(1) > 1e30
     assert (edge_angles(run, 2)[stiff] <= piece).all()
     assert (edge_angles(run, 2) <= WIDEST).all()
+
+
+SMALL_VIEW = np.array([[0.3, 0, 0, 0], [0, 0.3, 0, 0], [0, 0, 1, 0], [0, 0, -1, 0]])
+"""A perspective on the panel: w is how far ahead a point lies."""
+
+
+@pytest.mark.parametrize("corners", [2, 3])
+@given(st.integers(0, 100_000))
+def test_what_passes_the_viewer_of_a_small_view_is_seen_up_to_there(corners, seed):
+    points = np.random.default_rng(seed).normal(size=(30 * corners, 3)) * 10
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("domeshim.draw.split._MOST_ROUNDS", 14)
+        run = split(points, corners, SMALL_VIEW)
+    ahead = points[:, 2].reshape(-1, corners) < 0
+    z = run.attributes["place"][:, 2].reshape(-1, corners)
+    straddling = ahead.any(1) & ~ahead.all(1)
+    assert len(z) < 60 * len(ahead), "halving comes to an end"
+    assert ((z < 0).all(1) | (z >= 0).all(1)).all()
+    parents = np.round(run.attributes["weights"].reshape(-1, corners, 3)[:, :, :corners].sum(-1), 3)
+    assert (parents == 1).all()
+    assert z.min() == pytest.approx(points[:, 2].min(), rel=1e-5)
+    assert straddling.any()
+
+
+@pytest.mark.parametrize("corners", [2, 3])
+def test_an_edge_through_infinity_is_cut_there(corners, monkeypatch):
+    monkeypatch.setattr("domeshim.draw.split._MOST_ROUNDS", 14)
+    points = [[1, 0.2, -1, 1], [1, -0.1, 1, -1], [0, 1, -3, 1]][:corners]
+    run = split(points, corners)
+    assert len(run.positions) < 12 * corners
+    assert run.attributes["place"][:, 3].min() > 0

@@ -322,3 +322,32 @@ def test_inset_viewport(beside: Beside) -> None:
         write(gl, 1)
 
     beside.equal(scene, wrong=0.006)
+
+
+@pytest.mark.parametrize("method", ["auto", "tessellate", "geometry", "cpu"])
+def test_an_inset_view_from_amid_its_scene(beside: Beside, method: str) -> None:
+    """A floor and lines that pass the inset's viewer: what is behind that is nowhere on the panel."""
+
+    def scene(gl: GL) -> None:
+        looking(gl)
+        sphere(gl, 0.5)
+        gl.glViewport(40, 60, 90, 60)
+        gl.glMatrixMode(gl.GL_PROJECTION)
+        gl.glLoadIdentity()
+        gl.gluPerspective(60, 90 / 60, 0.5, 50)
+        gl.glMatrixMode(gl.GL_MODELVIEW)
+        gl.glLoadIdentity()
+        gl.glDisable(gl.GL_DEPTH_TEST)
+        gl.glLineWidth(3)
+        for x in range(-4, 5):
+            gl.glColor3f(0.2, 0.9 - 0.1 * abs(x), 0.5)
+            gl.glBegin(gl.GL_TRIANGLES)
+            for corner in ((x, -1, 9), (x + 0.8, -1, 7), (x + 0.3, -1, -9)):
+                gl.glVertex3f(*corner)
+            gl.glEnd()
+            gl.glBegin(gl.GL_LINES)
+            gl.glVertex3f(x, 1, -12)
+            gl.glVertex3f(-x, 2, 6)
+            gl.glEnd()
+
+    beside.equal(scene, name=f"amid {method}", wrong=0.006, method=method)
