@@ -137,6 +137,8 @@ class Comparison:
         apart = difference(monitor, flat, seen)
         if apart.verdict == "different" and (finer := self._apart_in_detail(frame)) is not None:
             apart = finer if finer.verdict != "different" else apart
+        if apart.verdict == "different" and dome.overlaid:
+            apart = replace(apart, verdict="undecided", reason=OVERLAID)
         return replace(result, seen_as_monitor=flat, difference=apart)
 
     def _apart_in_detail(self, frame: int) -> Difference | None:
@@ -232,6 +234,7 @@ class Comparison:
             return Run({frame: Exposure.load(path) for frame, path in kept.items()}, notes)
 
 
+OVERLAID = "the program draws over each other what it sees in several perspectives"
 UNKNOWN = Difference("undecided", "", 0, 0, 0, 0, None)
 """Nothing was compared."""
 
@@ -240,7 +243,8 @@ def _as_on_monitor(dome: Exposure, size: tuple[int, ...]) -> tuple[Picture, Mask
     """The dome's picture as a window of this size would show it, and where it can be seen."""
     assert dome.places is not None
     assert dome.seen is not None
-    flat, seen = unwarped(dome.picture, dome.places, dome.seen), dome.seen
+    places = dome.places if dome.channels is None else dome.channels
+    flat, seen = unwarped(dome.picture, places, dome.seen), dome.seen
     if flat.shape[1::-1] == size:
         return flat, seen
     width, height = size

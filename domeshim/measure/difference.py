@@ -144,14 +144,17 @@ def thin_things_explain(monitor: Picture, dome: Picture, inside: Mask) -> bool:
 def unwarped(picture: Picture, places: NDArray[np.floating], seen: Mask) -> Picture:
     """The dome's picture as the program's window would show it; black where the dome does not reach.
 
-    places: (h, w, 2), where in the picture each pixel of the window is, from its top left corner.
+    places: (h, w, 2), where in the picture each pixel of the window is, from its top left corner; or
+    (3, h, w, 2), for each channel.
     """
     from scipy import ndimage  # noqa: PLC0415 - needed for measuring alone
 
-    rows_columns = (places[..., 1] - 0.5, places[..., 0] - 0.5)
+    of_channels = np.broadcast_to(places, (3, *places.shape[-3:])) - 0.5
     channels = [
-        ndimage.map_coordinates(picture[..., k].astype(np.float32), rows_columns, order=1, mode="nearest")
-        for k in range(3)
+        ndimage.map_coordinates(
+            picture[..., k].astype(np.float32), (each[..., 1], each[..., 0]), order=1, mode="nearest"
+        )
+        for k, each in enumerate(of_channels)
     ]
     return np.where(seen[..., None], np.rint(np.stack(channels, -1)), 0).astype(np.uint8)
 

@@ -20,13 +20,15 @@ from numpy.typing import NDArray
 
 from domeshim import startup
 from domeshim.errors import DomeError
-from domeshim.measure.capture import photograph
+from domeshim.measure.capture import Photographer, photograph_by
 from domeshim.measure.pixels import read_pixels
 from domeshim.measure.studio import Studio, end_at_once
 from domeshim.options import Options
 from domeshim.program import run_program
 
 if TYPE_CHECKING:
+    from domeshim.driver import Driver
+    from domeshim.measure.perspectives import Perspectives
     from domeshim.session import Session
     from domeshim.state.pointer import Sight
     from domeshim.window.contract import Window
@@ -73,6 +75,10 @@ class Exposure:
     perspective: bool = False
     """The program has drawn in perspective; otherwise its window is a panel."""
     renderer: str = ""
+    channels: NDArray[np.float32] | None = None
+    """(3, h, w, 2): places of red, green and blue, where the program drew them in unlike perspectives."""
+    overlaid: bool = False
+    """Some channel was drawn in several perspectives, one over the other."""
 
     def save(self, path: Path) -> None:
         """Write it for load.
@@ -96,7 +102,47 @@ class Exposure:
                 saved.get("seen"),
                 bool(saved["perspective"]),
                 str(saved["renderer"]),
+                saved.get("channels"),
+                bool(saved["overlaid"]),
             )
+
+
+class Portraitist(Photographer):
+    """Keeps pictures with the perspectives that they were drawn in."""
+
+    def __init__(self, wanted: Wanted) -> None:
+        super().__init__(
+            wanted.frames, partial(self._keep_exposure, Path(wanted.folder).absolute()), wanted.timeout
+        )
+        self._perspectives: Perspectives | None = None
+
+    def follow(self, session: Session) -> Photographer:
+        """Watch this session from now on."""
+        session.make_driver = partial(self._driver, session)
+        return super().follow(session)
+
+    def frame_finished(self, window: Window, number: int) -> None:
+        """Keep the picture if it is a wanted one, and begin the next."""
+        super().frame_finished(window, number)
+        if self._perspectives is not None:
+            self._perspectives.begin_picture()
+
+    def _driver(self, session: Session) -> Driver:
+        from domeshim.driver import Driver  # noqa: PLC0415 - only once the program has a window
+        from domeshim.measure.perspectives import Perspectives  # noqa: PLC0415
+
+        driver = Driver()
+        self._perspectives = Perspectives(driver)
+        self._perspectives.watch(session)
+        return driver
+
+    def _keep_exposure(self, folder: Path, session: Session, window: Window, number: int) -> None:
+        """Write the picture that stands in the window's back buffer."""
+        try:
+            exposed(session, window, self._perspectives).save(folder / f"{number}.npz")
+        except OSError as error:
+            startup.say(f"cannot write {folder / str(number)}.npz: {error.strerror or error}")
+            end_at_once(1)
 
 
 def main(arguments: Sequence[str]) -> None:
@@ -105,9 +151,8 @@ def main(arguments: Sequence[str]) -> None:
     prog, *rest = arguments[1:]
     try:
         options = Options.from_environment(given={**wanted.settings, "enabled": str(int(wanted.dome))})
-        photograph(
-            wanted.frames,
-            partial(keep, Path(wanted.folder).absolute()),
+        photograph_by(
+            Portraitist(wanted),
             options,
             partial(run_program, prog, rest, module=wanted.module),
             Studio(wanted.size, wanted.fps, wanted.timeout),
@@ -117,23 +162,28 @@ def main(arguments: Sequence[str]) -> None:
         sys.exit(error.exit_status)
 
 
-def keep(folder: Path, session: Session, window: Window, number: int) -> None:
-    """Write the picture that stands in the window's back buffer."""
+def exposed(session: Session, window: Window, perspectives: Perspectives | None) -> Exposure:
+    """The picture that stands in the window's back buffer."""
     width, height = window.size
     picture = np.frombuffer(read_pixels(width, height), np.uint8).reshape(height, width, 3)
     from domeshim.intercept.dome import Dome  # noqa: PLC0415 - asks for PyOpenGL, which the program is to import first
 
     exposure = Exposure(picture, renderer=_renderer())
     context = session.dome.context_of(window) if isinstance(session.dome, Dome) else None
-    if context is not None:
-        exposure = replace(
-            exposure, perspective=context.placer.has_perspective, **_places(context.pixels.sight)
-        )
-    try:
-        exposure.save(folder / f"{number}.npz")
-    except OSError as error:
-        startup.say(f"cannot write {folder / str(number)}.npz: {error.strerror or error}")
-        end_at_once(1)
+    if context is None:
+        return exposure
+    sight = context.pixels.sight
+    main = _places(sight)
+    exposure = replace(exposure, perspective=context.placer.has_perspective, **main)
+    views = perspectives.of(context) if perspectives is not None else []
+    x, y, _, _ = context.frame.outer
+    sights = [replace(sight, view=each[-1].moved(x, y)) if each else sight for each in views]
+    exposure = replace(exposure, overlaid=any(len(each) > 1 for each in views))
+    places = [_places(each) for each in sights]
+    if all(np.array_equal(each["places"], main["places"]) for each in places):
+        return exposure
+    seen = np.logical_and.reduce([each["seen"] for each in places])
+    return replace(exposure, channels=np.stack([each["places"] for each in places]), seen=seen)
 
 
 def _places(sight: Sight) -> dict[str, Any]:

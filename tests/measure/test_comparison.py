@@ -106,6 +106,51 @@ def test_a_dome_wrong_by_a_degree_or_without_an_object_is_different():
     assert verdict(program=Program(str(SCENE), ("missing",))) == "different"
 
 
+EYE = """
+def eye(side):
+    glMatrixMode(GL_PROJECTION); glLoadIdentity()
+    glFrustum(-.06 + .01 * side, .06 + .01 * side, -.06, .06, .1, 100)
+    glMatrixMode(GL_MODELVIEW); glLoadIdentity(); glTranslatef(.8 * side, 0, -8)
+    glClear(GL_DEPTH_BUFFER_BIT)
+    glRotatef(20, 1, 1, 0); glutSolidTeapot(2)
+"""
+ANAGLYPH = """glEnable(GL_DEPTH_TEST); glEnable(GL_LIGHTING); glEnable(GL_LIGHT0)
+    glColorMask(1, 0, 0, 1); eye(1); glColorMask(0, 1, 1, 1); eye(-1); glColorMask(1, 1, 1, 1)"""
+
+
+def test_each_channel_is_seen_through_the_perspective_that_it_was_drawn_in(tmp_path):
+    program = tmp_path / "anaglyph.py"
+    program.write_text(EYE + PROGRAM.replace("{}", ANAGLYPH).replace("GLUT_RGB", "GLUT_RGB | GLUT_DEPTH"))
+    right = Comparison(Program(str(program)), size=SIZE)
+    [result] = right.results()
+    assert (result.verdict, result.difference.reason) == ("alike", "")
+    assert result.difference.moved.largest < 0.3
+    monitor = right.take(dome=False).exposures[1].picture
+    sound = right.take(dome=True, side=448).exposures[1]
+    assert not sound.overlaid
+    turned = replace(right, settings={"heading": "1"}).take(dome=True, side=448).exposures[1]
+    for drawn, verdict in ((sound, "alike"), (turned, "different")):
+        assert (
+            difference(monitor, unwarped(drawn.picture, sound.channels, sound.seen), sound.seen).verdict
+            == verdict
+        )
+    through_one = unwarped(sound.picture, sound.places, sound.seen)
+    assert difference(monitor, through_one, sound.seen).verdict == "different"
+
+
+def test_perspectives_over_each_other_in_the_same_colours_cannot_be_told(compare, tmp_path):
+    lit = "glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); "
+    scene = lit + "eye(1); glEnable(GL_BLEND); glBlendFunc(GL_ONE, GL_ONE); eye(-1)"
+    program = tmp_path / "over.py"
+    program.write_text(EYE + PROGRAM.replace("{}", scene))
+    result = compare(program)
+    assert (result.returncode, result.stderr) == (2, "")
+    assert (
+        "could not tell: the program draws over each other what it sees in several perspectives"
+        in result.stdout
+    )
+
+
 @pytest.mark.parametrize(
     ("program", "reason"),
     [
