@@ -95,6 +95,8 @@ class Audience:
     def close(self) -> None:
         """End the film and the virtual dome."""
         atexit.unregister(self.close)
+        if self._window is not None and self._session.window is self._window and _has_context():
+            self._finish_reading()
         self._end_recording()
         if self._board is not None:
             self._board.close()
@@ -136,7 +138,7 @@ class Audience:
             self._board.close()  # the user has closed it
             self._board = None
         else:
-            self._board.put(picture.rows)
+            self._board.put(picture.rgb)
 
     def _open_preview(self) -> None:
         from domeshim.live.shared import Board  # noqa: PLC0415 - numpy, for those who look alone
@@ -148,3 +150,10 @@ class Audience:
         told = dome.to_json(), (self._session.viewer or Viewer()).to_json()
         command = [sys.executable, "-m", "domeshim.preview.beside", self._board.name, *told]
         self._viewer = subprocess.Popen(command, env={**os.environ, "DOME": "0"})
+
+
+def _has_context() -> bool:
+    """The window that the program's calls went to last is still there."""
+    from OpenGL.platform import PLATFORM  # noqa: PLC0415 - the program may have set PyOpenGL's flags
+
+    return bool(PLATFORM.GetCurrentContext())

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections import deque
-from ctypes import byref, c_uint, create_string_buffer
+from ctypes import byref, c_uint
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,9 +13,9 @@ from numpy.typing import NDArray
 from domeshim.driver import Driver
 from domeshim.measure.pixels import (
     GL_BACK,
-    GL_RGB,
     GL_UNSIGNED_BYTE,
     PIXEL_PACK_BUFFER,
+    PIXEL_PACK_BUFFER_BINDING,
     plain_reading,
     resolved,
 )
@@ -22,7 +23,10 @@ from domeshim.window.contract import Window
 
 _BEHIND = 2
 """So many pictures later one is taken out of its buffer."""
-_STREAM_READ, _DRAW_BUFFER, _FRONT = 0x88E1, 0x0C01, 0x0404
+_STREAM_READ, _DRAW_BUFFER, _FRONT, _COLOR_ATTACHMENT = 0x88E1, 0x0C01, 0x0404, 0x8CE0
+_BGRA = 0x80E1
+"""As most drivers keep their pixels: they have nothing to convert."""
+Pixels = NDArray[np.uint8]
 
 
 @dataclass(frozen=True)
@@ -31,15 +35,32 @@ class Picture:
 
     time: float
     """Seconds on the clock that the reader was told the time of."""
-    size: tuple[int, int]
-    content: bytes
-    """RGB pixels, a byte each, the bottom row first."""
+    content: Pixels
+    """(height, width, 4): blue, green, red and what is left to chance, the bottom row first."""
 
     @property
-    def rows(self) -> NDArray[np.uint8]:
+    def size(self) -> tuple[int, int]:
+        """Width and height, pixels."""
+        height, width, _ = self.content.shape
+        return width, height
+
+    @property
+    def bgra(self) -> Pixels:
+        """(height, width, 4), the top row first."""
+        return self.content[::-1]
+
+    @property
+    def rgb(self) -> Pixels:
         """(height, width, 3), the top row first."""
-        width, height = self.size
-        return np.frombuffer(self.content, np.uint8).reshape(height, width, 3)[::-1]
+        return self.content[::-1, :, 2::-1]
+
+
+class _Read(NamedTuple):
+    """A picture on its way."""
+
+    buffer: c_uint
+    time: float
+    size: tuple[int, int]
 
 
 class Readback:
@@ -47,40 +68,63 @@ class Readback:
 
     def __init__(self, driver: Driver) -> None:
         self._driver = driver
-        self._waiting: deque[tuple[c_uint, float, tuple[int, int]]] = deque()
+        self._waiting: deque[_Read] = deque()
+        self._spare: list[_Read] = []
 
     def read(self, window: Window, time: float) -> Picture | None:
         """Begin to read the finished picture; the one before the last, which has been read by now."""
-        gl, buffer = self._driver, c_uint()
-        width, height = window.pixels
-        front = not window.format.double_buffer and gl.integer(_DRAW_BUFFER) == _FRONT
+        gl, size = self._driver, window.pixels
         library = _library()
         with (
-            plain_reading(library, _FRONT if front else GL_BACK),
-            resolved(library, (0, 0), width, height) as (left, bottom),
+            plain_reading(library, self._buffer_of(window), window.framebuffer),
+            resolved(library, (0, 0), *size) as (left, bottom),
         ):
-            gl.glGenBuffers(1, byref(buffer))
-            gl.glBindBuffer(PIXEL_PACK_BUFFER, buffer)
-            gl.glBufferData(PIXEL_PACK_BUFFER, 3 * width * height, None, _STREAM_READ)
-            gl.glReadPixels(left, bottom, width, height, GL_RGB, GL_UNSIGNED_BYTE, None)
+            read = _Read(self._buffer(size), time, size)
+            gl.glBindBuffer(PIXEL_PACK_BUFFER, read.buffer)
+            gl.glReadPixels(left, bottom, *size, _BGRA, GL_UNSIGNED_BYTE, None)
+            self._waiting.append(read)
+            picture = self._next() if len(self._waiting) > _BEHIND else None
             gl.glBindBuffer(PIXEL_PACK_BUFFER, 0)
-            self._waiting.append((buffer, time, (width, height)))
-            return self._next() if len(self._waiting) > _BEHIND else None
+        return picture
 
     def rest(self) -> list[Picture]:
-        """What is still being read, waited for."""
-        with plain_reading(_library(), GL_BACK):
-            return [self._next() for _ in range(len(self._waiting))]
+        """What is still being read, waited for; nothing of GL is held any more."""
+        bound = self._driver.integer(PIXEL_PACK_BUFFER_BINDING)
+        pictures = [self._next() for _ in range(len(self._waiting))]
+        self._driver.glBindBuffer(PIXEL_PACK_BUFFER, bound)
+        self._free()
+        return pictures
+
+    def _buffer_of(self, window: Window) -> int:
+        """The colour buffer that the window's picture is in."""
+        if window.framebuffer:
+            return _COLOR_ATTACHMENT
+        front = not window.format.double_buffer and self._driver.integer(_DRAW_BUFFER) == _FRONT
+        return _FRONT if front else GL_BACK
+
+    def _buffer(self, size: tuple[int, int]) -> c_uint:
+        """A buffer for a picture of that size: one that has been read out, or another."""
+        if self._spare and self._spare[-1].size == size:
+            return self._spare.pop().buffer
+        self._free()
+        buffer = c_uint()
+        self._driver.glGenBuffers(1, byref(buffer))
+        self._driver.glBindBuffer(PIXEL_PACK_BUFFER, buffer)
+        self._driver.glBufferData(PIXEL_PACK_BUFFER, 4 * size[0] * size[1], None, _STREAM_READ)
+        return buffer
 
     def _next(self) -> Picture:
-        gl = self._driver
-        buffer, time, (width, height) = self._waiting.popleft()
-        content = create_string_buffer(3 * width * height)
-        gl.glBindBuffer(PIXEL_PACK_BUFFER, buffer)
-        gl.glGetBufferSubData(PIXEL_PACK_BUFFER, 0, len(content), content)
-        gl.glBindBuffer(PIXEL_PACK_BUFFER, 0)
-        gl.glDeleteBuffers(1, byref(buffer))
-        return Picture(time, (width, height), content.raw)
+        read = self._waiting.popleft()
+        width, height = read.size
+        content = np.empty((height, width, 4), np.uint8)
+        self._driver.glBindBuffer(PIXEL_PACK_BUFFER, read.buffer)
+        self._driver.glGetBufferSubData(PIXEL_PACK_BUFFER, 0, content.nbytes, content.ctypes.data)
+        self._spare.append(read)
+        return Picture(read.time, content)
+
+    def _free(self) -> None:
+        while self._spare:
+            self._driver.glDeleteBuffers(1, byref(self._spare.pop().buffer))
 
 
 def _library() -> object:

@@ -93,7 +93,7 @@ class Recording:
             picture: Picture | None = first
             tick = -1
             while picture is not None:
-                frame = av.VideoFrame.from_ndarray(picture.rows.copy(), format="rgb24")
+                frame = av.VideoFrame.from_ndarray(picture.bgra.copy(), format="bgra")
                 frame = frame.reformat(stream.width, stream.height, "yuv420p")
                 tick = max(tick + 1, round((picture.time - first.time) / float(_TICK)))
                 frame.pts, frame.time_base = tick, _TICK

@@ -53,8 +53,11 @@ def read_pixels(width: int, height: int, *, corner: tuple[int, int] = (0, 0), bu
 
 
 @contextmanager
-def plain_reading(gl: Any, buffer: int) -> Iterator[None]:
-    """Reading goes from a buffer of the window to memory, tightly packed and unchanged, while this lasts."""
+def plain_reading(gl: Any, buffer: int, framebuffer: int = 0) -> Iterator[None]:
+    """Reading goes from a framebuffer to memory, tightly packed and unchanged, while this lasts.
+
+    buffer: which of its colour buffers; framebuffer: 0 is GL's own, the window.
+    """
     restore = []
 
     def put(setter: Any, name: int, former: Any, wanted: Any) -> None:
@@ -64,7 +67,7 @@ def plain_reading(gl: Any, buffer: int) -> Iterator[None]:
             setter(name, wanted)
 
     put(gl.glBindBuffer, PIXEL_PACK_BUFFER, _integer(gl, PIXEL_PACK_BUFFER_BINDING), c_int(0))
-    put(gl.glBindFramebuffer, READ_FRAMEBUFFER, _integer(gl, READ_FRAMEBUFFER_BINDING), c_int(0))
+    put(gl.glBindFramebuffer, READ_FRAMEBUFFER, _integer(gl, READ_FRAMEBUFFER_BINDING), c_int(framebuffer))
     put(lambda _, buffer: gl.glReadBuffer(buffer), 0, _integer(gl, READ_BUFFER), c_int(buffer))
     for name, plain in PACK_LAYOUT.items():
         put(gl.glPixelStorei, name, _integer(gl, name), c_int(plain))
@@ -79,16 +82,20 @@ def plain_reading(gl: Any, buffer: int) -> Iterator[None]:
 
 @contextmanager
 def resolved(gl: Any, corner: tuple[int, int], width: int, height: int) -> Iterator[tuple[int, int]]:
-    """Reading from a multisampled window gives the mean of each pixel's samples while this lasts.
+    """A multisampled framebuffer gives the mean of each pixel's samples while this lasts, in plain_reading.
 
     Mesa's glReadPixels alone gives one of them. Yields where the corner is to be read then.
     """
-    if not _integer(gl, SAMPLES).value:
+    source, drawn_to = _integer(gl, READ_FRAMEBUFFER_BINDING), _integer(gl, DRAW_FRAMEBUFFER_BINDING)
+    gl.glBindFramebuffer(DRAW_FRAMEBUFFER, source)
+    samples = _integer(gl, SAMPLES).value
+    gl.glBindFramebuffer(DRAW_FRAMEBUFFER, drawn_to)
+    if not samples:
         yield corner
         return
     left, bottom = corner
     framebuffer, colour = c_uint(), c_uint()
-    drawn_to, renderbuffer = _integer(gl, DRAW_FRAMEBUFFER_BINDING), _integer(gl, RENDERBUFFER_BINDING)
+    renderbuffer = _integer(gl, RENDERBUFFER_BINDING)
     scissored = gl.glIsEnabled(SCISSOR_TEST)
     gl.glGenFramebuffers(1, byref(framebuffer))
     gl.glGenRenderbuffers(1, byref(colour))
@@ -103,7 +110,7 @@ def resolved(gl: Any, corner: tuple[int, int], width: int, height: int) -> Itera
     try:
         yield 0, 0
     finally:
-        gl.glBindFramebuffer(READ_FRAMEBUFFER, 0)
+        gl.glBindFramebuffer(READ_FRAMEBUFFER, source)
         gl.glBindFramebuffer(DRAW_FRAMEBUFFER, drawn_to)
         gl.glBindRenderbuffer(RENDERBUFFER, renderbuffer)
         if scissored:

@@ -89,6 +89,11 @@ class Window(ABC):
         return self.size if self.part is None else self.part[2:]
 
     @property
+    def framebuffer(self) -> int:
+        """GL's number of the framebuffer that its pictures are in."""
+        return 0
+
+    @property
     @abstractmethod
     def size(self) -> tuple[int, int]:
         """Width and height of the frame buffer in pixels."""

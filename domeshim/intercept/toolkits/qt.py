@@ -14,6 +14,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from domeshim.intercept.toolkits.qt_given import GivenWindows
+from domeshim.intercept.toolkits.qt_keys import QtKeys
 from domeshim.intercept.toolkits.qt_pointer import QtPointer
 from domeshim.intercept.toolkits.qt_time import time_classes
 from domeshim.intercept.toolkits.windows import ToolkitHost, ToolkitWindow
@@ -35,6 +36,7 @@ class QtToolkit(ToolkitHost):
         self._binding = binding
         self._given: GivenWindows | None = None
         self.pointer = QtPointer(self)
+        self._keys = QtKeys(self)
 
     def part(self, name: str) -> Any:
         """One of the binding's modules, such as QtGui."""
@@ -148,6 +150,7 @@ class QtToolkit(ToolkitHost):
             weakref.finalize(widget, self.session.window_closed, hold.window).atexit = False
             self._say_of_functions(widget)
             self.opened(hold.window, hold.window.size)
+            self._keys.listen(widget, hold.window)
         elif hold.depth == 0:
             self.session.window_current(hold.window)
             # Qt sets the viewport itself, unseen: what is known of it is known no longer.
@@ -181,7 +184,12 @@ class _Hold:
                 self._size = pixel_size(alive)
             return self._size
 
-        self.window: Window = ToolkitWindow(size, lambda: None)  # Qt shows it when paintGL has returned
+        def framebuffer() -> int:
+            asked = getattr(known(), "defaultFramebufferObject", None)  # QGLWidget has none of its own
+            return int(asked()) if asked is not None else 0
+
+        # Qt shows it when paintGL has returned.
+        self.window: Window = ToolkitWindow(size, lambda: None, framebuffer=framebuffer)
 
 
 def pixel_size(widget: Any) -> tuple[int, int]:

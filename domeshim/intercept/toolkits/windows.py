@@ -22,13 +22,27 @@ class ToolkitWindow(Window):
     """
 
     def __init__(
-        self, size: Callable[[], tuple[int, int]], show: Callable[[], object], *, double_buffer: bool = True
+        self,
+        size: Callable[[], tuple[int, int]],
+        show: Callable[[], object],
+        *,
+        double_buffer: bool = True,
+        framebuffer: Callable[[], int] = lambda: 0,
     ) -> None:
-        """size: asks the toolkit for the frame buffer's pixels; show: the toolkit's own swap."""
+        """size: asks the toolkit for the frame buffer's pixels; show: the toolkit's own swap.
+
+        framebuffer: asks for its number, where it may be another than GL's own.
+        """
         self.format = SurfaceFormat(double_buffer=double_buffer)
         self.events = WindowEvents()
         self._size = size
         self._show = show
+        self._framebuffer = framebuffer
+
+    @property
+    def framebuffer(self) -> int:
+        """As the toolkit says."""
+        return self._framebuffer()
 
     @property
     def size(self) -> tuple[int, int]:

@@ -1,0 +1,135 @@
+"""Programs of every toolkit are recorded, from their start or by the key."""
+
+from __future__ import annotations
+
+from importlib.util import find_spec
+from pathlib import Path
+
+import pytest
+
+from tests.GLUT.program_runs import needs_xvfb, run_on_screen
+
+COMMON = """
+import os, subprocess, sys
+import domeshim
+domeshim.install()
+from OpenGL.GL import *
+n, heard = 0, []
+def draw():
+    global n
+    n += 1
+    glClearColor(0, 0.2 + 0.6 * (n % 2), 0, 1)
+    glClear(GL_COLOR_BUFFER_BIT)
+STEPS = {20: "key ctrl+shift+r", 30: "key a", 50: "key ctrl+shift+r"}
+def ended():
+    words = STEPS.get(n) if "KEYS" in os.environ else None
+    if words:
+        subprocess.run(["xdotool", *words.split()], check=True)
+    if n >= 70:
+        print(n, heard, glGetError(), flush=True)
+    return n >= 70
+"""
+PYGAME = """
+import pygame
+from pygame.locals import *
+pygame.init()
+pygame.display.set_mode((200, 200), DOUBLEBUF | OPENGL)
+pygame.display.set_caption("film")
+while not ended():
+    heard += [e.key for e in pygame.event.get() if e.type == KEYDOWN and e.key < 128]
+    draw()
+    pygame.display.flip()
+    pygame.time.wait(20)
+"""
+GLFW = """
+import glfw, time
+glfw.init()
+window = glfw.create_window(200, 200, "film", None, None)
+glfw.make_context_current(window)
+def key(window, key, scancode, action, mods):
+    if action == glfw.PRESS and key < 128:
+        heard.append(key + 32)
+glfw.set_key_callback(window, key)
+while not ended():
+    draw()
+    glfw.swap_buffers(window)
+    glfw.poll_events()
+    time.sleep(0.02)
+"""
+QT = """
+STEPS[10] = "search --onlyvisible --name ^film windowfocus"
+from BINDING.QtCore import QTimer
+from BINDING.QtWidgets import QApplication, QMainWindow
+from BINDING.MODULE import QOpenGLWidget
+class Widget(QOpenGLWidget):
+    def paintGL(self):
+        draw()
+class Main(QMainWindow):
+    def keyPressEvent(self, event):
+        if event.key() < 128: heard.append(event.key() + 32)
+app = QApplication([])
+main = Main()
+widget = Widget()
+main.setCentralWidget(widget)
+main.setWindowTitle("film")
+main.resize(200, 200)
+main.show()
+def tick():
+    widget.update()
+    if ended(): app.quit()
+timer = QTimer()
+timer.timeout.connect(tick)
+timer.start(20)
+app.exec() if hasattr(app, "exec") else app.exec_()
+"""
+
+
+def qt(binding: str, module: str) -> object:
+    missing = pytest.mark.skipif(find_spec(binding) is None, reason=f"{binding} is not installed")
+    return pytest.param(QT.replace("BINDING", binding).replace("MODULE", module), marks=missing, id=binding)
+
+
+PROGRAMS = [
+    pytest.param(PYGAME, id="pygame"),
+    pytest.param(GLFW, id="glfw"),
+    qt("PySide6", "QtOpenGLWidgets"),
+    qt("PyQt6", "QtOpenGLWidgets"),
+    qt("PyQt5", "QtWidgets"),
+]
+
+
+def run(folder: Path, source: str, **settings: str) -> list[int]:
+    """The film's pictures, each by its green; what the program said of itself is checked."""
+    av = pytest.importorskip("av")
+    settings = {"DOME": "1", **settings}
+    ended = run_on_screen(
+        folder, f"import os\nos.environ.update({settings!r})\nos.chdir({str(folder)!r})\n" + COMMON + source
+    )
+    if "Could not load the Qt platform plugin" in ended.stderr:
+        pytest.skip("Qt's plugin for X11 lacks libraries here (Debian: libxcb-cursor0)")
+    assert ended.returncode == 0, ended.stderr
+    heard = "[97]" if "KEYS" in settings else "[]"
+    assert ended.stdout.splitlines()[-1].split(maxsplit=1)[1] == f"{heard} 0"
+    (film,) = folder.glob("*.mp4")
+    with av.open(str(film)) as read:
+        greens = [int(frame.to_ndarray(format="rgb24")[100, 100, 1]) for frame in read.decode(video=0)]
+    assert f"{len(greens)} pictures recorded to {film}" in ended.stderr
+    return greens
+
+
+@needs_xvfb
+@pytest.mark.parametrize("source", PROGRAMS)
+def test_recorded_from_the_start(tmp_path: Path, source: str):
+    greens = run(tmp_path, source, DOME_RECORD=str(tmp_path / "film.mp4"))
+    assert len(greens) > 30
+    assert min(greens) < 80
+    assert max(greens) > 180
+
+
+@needs_xvfb
+@pytest.mark.parametrize("source", PROGRAMS)
+def test_recorded_by_the_key(tmp_path: Path, source: str):
+    greens = run(tmp_path, source, KEYS="1")
+    assert 10 < len(greens) < 45
+    assert min(greens) < 80
+    assert max(greens) > 180
