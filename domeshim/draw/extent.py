@@ -35,14 +35,15 @@ class Extent:
     @classmethod
     def of_few(cls, positions: Sequence[float]) -> Extent:
         """The extent of a few vertices, x, y, z in a row; no edge is longer than their box's diagonal."""
-        axes = [positions[axis::3] for axis in range(3)]
-        return cls._of_box([min(axis) for axis in axes], [max(axis) for axis in axes], math.inf)
+        x, y, z = positions[::3], positions[1::3], positions[2::3]
+        return cls._of_box((min(x), min(y), min(z)), (max(x), max(y), max(z)), math.inf)
 
     @classmethod
     def _of_box(cls, low: Sequence[float], high: Sequence[float], longest: float) -> Extent:
-        x, y, z = ((a + b) / 2 for a, b in zip(low, high, strict=True))
+        ax, ay, az = low
+        bx, by, bz = high
         diagonal = math.dist(low, high)
-        return cls((x, y, z), diagonal / 2, min(longest, diagonal))
+        return cls(((ax + bx) / 2, (ay + by) / 2, (az + bz) / 2), diagonal / 2, min(longest, diagonal))
 
     def surely_seen_from(self, to_eye: Sequence[float], distance: float) -> bool:
         """The mesh is so far away that no edge needs a closer look: quickly said, and False where in doubt.

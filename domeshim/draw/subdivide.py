@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Protocol
 
 from domeshim.draw.order import alike, order_shows
-from domeshim.draw.patches import LINES, POINTS, TRIANGLES, Edged, Indices
+from domeshim.draw.patches import LINES, POINTS, TRIANGLES, Edged, Indices, Kind
 from domeshim.draw.primitives import FILL, Primitives, extent_of, primitives_of, taken
 from domeshim.draw.split import split_wide, triangles_under
 from domeshim.draw.strips import line_strips
@@ -113,12 +113,24 @@ def draw_patches(
     piece: Run, kind: Edged, context: DomeContext, drawer: Drawer, subdivision: Subdivision
 ) -> None:
     """Draw a piece of a run, primitive after primitive, as patches."""
-    lengthened = subdivision.lengthened and kind == "lines"
-    method: PatchMethod = "geometry" if subdivision.method == "geometry" or lengthened else "tessellate"
-    patch = Patch(kind, method, subdivision.split, lengthened)
+    patch = patch_for(kind, subdivision)
     if patch.split:
         piece = split_wide(piece, patch.corners, context.subdividing.to_eye, subdivision.limit)
     drawer.draw_all(patch.mode, piece, partial(context.draw, patch=patch))
+
+
+def patch_for(kind: Edged, subdivision: Subdivision) -> Patch:
+    """What a draw of such primitives hands over to a shader that subdivides."""
+    lengthened = subdivision.lengthened and kind == "lines"
+    method: PatchMethod = "geometry" if subdivision.method == "geometry" or lengthened else "tessellate"
+    return Patch(kind, method, subdivision.split, lengthened)
+
+
+def shader_subdivides(kinds: Collection[Kind], context: DomeContext, subdivision: Subdivision) -> bool:
+    """Primitives of these kinds go to a shader as they are, none split nor cut on the CPU."""
+    if subdivision.split or subdivision.method in (None, "cpu"):
+        return False
+    return ("lines" not in kinds or not stippled(context)) and ("triangles" not in kinds or filled(context))
 
 
 def draw_cut(piece: Run, context: DomeContext, drawer: Drawer) -> None:

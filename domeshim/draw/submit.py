@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING
 
 from domeshim.draw.current import current_setters
 from domeshim.draw.extent import Extent
-from domeshim.draw.patches import Indices
+from domeshim.draw.patches import POINTS, Indices, kind_of
 from domeshim.draw.primitives import many_primitives, taken
 from domeshim.draw.replay import replay
-from domeshim.draw.subdivide import Making, at_once, subdivide, subdivision_of
+from domeshim.draw.replay_pieces import drawing_of, knows_all
+from domeshim.draw.subdivide import Making, at_once, patch_for, shader_subdivides, subdivide, subdivision_of
 from domeshim.draw.upload import Upload, completed
 from domeshim.driver import Driver
 from domeshim.record.immediate import Immediate
@@ -44,6 +45,8 @@ class Submitter:
         if few and subdivision is None:
             self.replay(recorder, context.draw if recorder.blocks else at_once)
             return
+        if subdivision is not None and self._replay_pieces(recorder, context, subdivision):
+            return
         run = recorder.take()
         if not few and not compiling:
             subdivision = subdivision_of(run, context)
@@ -55,6 +58,19 @@ class Submitter:
             made(lambda: replay(self._driver, recorder, self._setters))
         finally:
             recorder.clear()
+
+    def _replay_pieces(self, recorder: Immediate, context: DomeContext, subdivision: Subdivision) -> bool:
+        """Draw a few vertices to be subdivided by a shader; False where that is not all they need."""
+        kinds = [kind_of(block.mode) for block in recorder.blocks]
+        changes = recorder.rare or not knows_all(recorder)
+        if changes or not shader_subdivides(kinds, context, subdivision):
+            return False
+        for block, kind in zip(recorder.blocks, kinds, strict=True):
+            patch = None if kind == "points" else patch_for(kind, subdivision)
+            mode = POINTS if patch is None else patch.mode
+            context.draw(drawing_of(self._driver, recorder, self._setters, block, mode), patch)
+        self.skip(recorder)
+        return True
 
     def skip(self, recorder: Immediate) -> None:
         """Leave out the draws, and leave the last attributes current."""
