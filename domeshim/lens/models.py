@@ -110,6 +110,11 @@ class Stereographic(_Formula):
     why: ClassVar[str] = "a stereographic lens puts what is straight behind infinitely far out"
 
     @property
+    def snippets(self) -> tuple[str, ...]:
+        """As for Lens: by the ray itself, which stays exact near straight behind."""
+        return f"lens/{self.name}", "bend/stereographic"
+
+    @property
     def _scale(self) -> float:
         return 1.0 / math.tan(self.end / 2)
 

@@ -27,7 +27,7 @@ def every_lens():
         for name, numbers, fovs in (
             ("equidistant", (), (60, 180, 220, 360)),
             ("equisolid", (), (60, 180, 300, 360)),
-            ("stereographic", (), (60, 180, 300, 340)),
+            ("stereographic", (), (60, 180, 300, 340, 359)),
             ("orthographic", (), (60, 150, 180)),
             ("polynomial", PAPER_LIKE, (100, 180, 240)),
             ("opencv", OPENCV, (100, 180)),
