@@ -65,6 +65,15 @@ class Finish:
             self._picture.use(0)
             self._mesh.render(moderngl.TRIANGLES)
 
+    def put_back(self) -> None:
+        """Put the picture as it was before into the window's back buffer, for the program to go on with."""
+        gl = self._driver
+        box = (0, 0, *self._size)
+        with restored(gl), way_cleared(gl):
+            gl.glBindFramebuffer(_READ, self._framebuffer)
+            gl.glBindFramebuffer(_DRAW, 0)
+            gl.glBlitFramebuffer(*box, *box, _COLOR_BIT, _NEAREST)
+
     def close(self) -> None:
         """Free what it holds of GL."""
         with restored(self._driver):

@@ -82,6 +82,7 @@ def clear(dome: Dome, original: Call) -> Call:
         context.undress()
         if context.in_own_framebuffer:
             return original(mask)
+        context.go_on()
         if context.pixels.scissor_cuts:
             _clear_part(dome, context, int(mask))
             mask = int(mask) & ~_DRAWN

@@ -84,6 +84,7 @@ class WindowDome:
                 self._finish[1].close()
             self._finish = wanted, Finish(self.context.driver, wanted)
         self._finish[1].draw()
+        self.context.put_back = self._finish[1].put_back
 
     @property
     def holds_passes(self) -> bool:

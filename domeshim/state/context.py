@@ -69,6 +69,8 @@ class DomeContext:
         self.canvas = canvas_of(driver, options, frame, self.lens, self.orientation, self.say_once)
         self._raster_points = RasterPoints(driver, self._worn)
         self._patch: Patch | None = None
+        self.put_back: Callable[[], object] | None = None
+        """Puts the last picture back into the window, where the projector's pass has gone over it."""
 
     @property
     def programs(self) -> dict[Recipe, Program]:
@@ -126,7 +128,14 @@ class DomeContext:
         """Let the window show what was drawn so far, say to be read; deep: its depths as well."""
         self.undress()
         if not self.compiling:
+            self.go_on()
             self.canvas.settle(deep=deep)
+
+    def go_on(self) -> None:
+        """The last picture is drawn on or read: let it be as it was before the projector's pass over it."""
+        if self.put_back is not None:
+            put_back, self.put_back = self.put_back, None
+            put_back()
 
     def framebuffer_bound(self) -> None:
         """The program may have bound a framebuffer of its own, or the window again."""
@@ -182,6 +191,7 @@ class DomeContext:
             return
         if self._worn.dressing is None or self._stale or patch != self._patch or raster != self._raster:
             self._uncover()
+            self.go_on()
             self._patch, self._raster = patch, raster
             self._put_on(*self._look())
             if patch is not None and patch.method == "tessellate":
@@ -246,6 +256,7 @@ class DomeContext:
     @frame.setter
     def frame(self, frame: Frame) -> None:
         if frame != self._frame:
+            self.put_back = None
             self.canvas.close()
             self.canvas = canvas_of(
                 self.driver, self._options, frame, self.lens, self.orientation, self.say_once

@@ -9,6 +9,8 @@ from scipy import ndimage
 from domeshim.lens.keystone import Keystone
 from domeshim.lens.models import Equidistant
 from domeshim.lens.projection import disc_of
+from domeshim.measure.pixels import read_pixels
+from domeshim.window.contract import SurfaceFormat
 from tests.lens.test_surfaces import bourke
 
 SIZE = 384
@@ -236,3 +238,39 @@ def test_hud_beside_needs_room(beside):
 
     with pytest.raises(OptionError, match="no room beside the disc"), beside.window((SIZE, SIZE), hud="side"):
         pass
+
+
+@pytest.mark.parametrize("samples", [0, 4])
+@pytest.mark.parametrize("method", ["auto", "cubemap"])
+def test_what_is_never_cleared_goes_on_below_the_mirror(beside, monkeypatch, method, samples):
+    monkeypatch.setattr(beside, "surface", SurfaceFormat(samples=samples))
+
+    def after_pictures(count, **options):
+        """What is seen when the program has drawn so many triangles, one a picture, and cleared at first."""
+        with beside.window((SIZE, SIZE), fov=180.0, method=method, **options) as finish:
+            gl = beside.dome
+            looking(gl)
+            for number in range(count):
+                gl.glColor3f(1, number / 4, 0)
+                gl.glBegin(gl.GL_TRIANGLES)
+                for x, y in ((-1, -1), (-0.4, -1), (-1, -0.2)):
+                    gl.glVertex3f(x + number / 2, y, -1)
+                gl.glEnd()
+                finish()
+            seen = np.frombuffer(read_pixels(SIZE, SIZE), np.uint8).reshape(SIZE, SIZE, 3)
+            own = gl.glReadPixels(0, 0, SIZE, SIZE, gl.GL_RGB, gl.GL_UNSIGNED_BYTE)
+            gl.glClear(gl.GL_COLOR_BUFFER_BIT)
+            finish()
+            assert not any(read_pixels(SIZE, SIZE))
+        return seen.astype(int), own
+
+    plain, plain_own = after_pictures(3)
+    mirrored, own = after_pictures(3, mirror="horizontal")
+    labels = np.unique(plain.reshape(-1, 3), axis=0)
+    assert len(labels) >= 4
+    off = np.abs(mirrored - plain[:, ::-1]).max(-1) > 1
+    if samples:  # an edge over an older edge finds that pixel's mean, not its samples
+        assert off.mean() < 1e-3
+    else:
+        assert not off.any()
+        assert own == plain_own
