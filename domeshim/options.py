@@ -1,4 +1,4 @@
-"""The user's settings become one frozen Options. The only reader of os.environ.
+"""The user's settings become one frozen Options. The only reader of their variables.
 
 A setting is looked for in a command's own options, then in the DOME* variables, then in the file DOME_CONFIG,
 then in what DOME_PRESET stands for.

@@ -12,7 +12,8 @@ from functools import partial
 from typing import TYPE_CHECKING, NoReturn
 
 from domeshim import startup
-from domeshim.session import FrameListener, Session
+from domeshim.partners import FrameListener
+from domeshim.session import Session
 from domeshim.window.clock import VirtualClock
 
 if TYPE_CHECKING:
