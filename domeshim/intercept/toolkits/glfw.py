@@ -9,8 +9,9 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from domeshim.errors import ScreenError
+from domeshim.intercept.toolkits.glfw_hints import Hints
 from domeshim.intercept.toolkits.windows import ToolkitHost, ToolkitWindow
-from domeshim.window.contract import SurfaceFormat, Window, WindowEvents
+from domeshim.window.contract import Window, WindowEvents
 
 if TYPE_CHECKING:
     from domeshim.session import Session
@@ -25,7 +26,7 @@ class GlfwToolkit(ToolkitHost):
     def __init__(self, session: Session, module: ModuleType) -> None:
         super().__init__(session, "glfw")
         self._glfw = _Originals(module)
-        self._hints: dict[int, int] = {}
+        self._hints = Hints(self._glfw)
         self._windows: dict[int, _GlfwWindow] = {}
         self._current: Any = None
 
@@ -33,8 +34,8 @@ class GlfwToolkit(ToolkitHost):
         """Our names for the module glfw."""
         glfw = self._glfw
         ours: dict[str, Any] = {
-            "window_hint": self.window_hint,
-            "default_window_hints": self.default_window_hints,
+            "window_hint": self._hints.window_hint,
+            "default_window_hints": self._hints.default_window_hints,
             "create_window": self.create_window,
             "make_context_current": self.make_context_current,
             "swap_buffers": self.swap_buffers,
@@ -69,27 +70,19 @@ class GlfwToolkit(ToolkitHost):
         self._glfw.init_hint(self._glfw.PLATFORM, self._glfw.PLATFORM_NULL)
         return self._glfw.init()
 
-    def window_hint(self, hint: int, value: int) -> Any:
-        """Remember what the program asks for, and pass it on."""
-        self._hints[hint] = int(value)
-        return self._glfw.window_hint(hint, value)
-
-    def default_window_hints(self) -> Any:
-        """Forget what the program asked for."""
-        self._hints.clear()
-        return self._glfw.default_window_hints()
-
     def create_window(self, width: int, height: int, title: Any, monitor: Any, share: Any) -> Any:
         """Open one of the program's windows, or one of our own."""
         glfw = self._glfw
         if sys._getframe(1).f_globals.get("__name__") == _OUR_OWN:
             return glfw.create_window(width, height, title, monitor, share)
-        if self._hints.get(glfw.CLIENT_API) == glfw.NO_API:
+        if self._hints.without_gl:
             return glfw.create_window(width, height, title, monitor, share)
         if self.gives_windows:
             handle = self._create_given(width, height, title, share)
         else:
-            handle = self._with_samples(lambda: glfw.create_window(width, height, title, monitor, share))
+            handle = self._hints.opened_with_samples(
+                lambda: glfw.create_window(width, height, title, monitor, share), self.samples_wished
+            )
             if handle:
                 self._windows[_address(handle)] = _GlfwWindow(handle, self._own_window(handle))
                 self.set_key_callback(handle, None)
@@ -99,61 +92,24 @@ class GlfwToolkit(ToolkitHost):
         return ToolkitWindow(
             lambda: self._glfw.get_framebuffer_size(handle),
             lambda: self._glfw.swap_buffers(handle),
-            double_buffer=bool(self._hints.get(self._glfw.DOUBLEBUFFER, 1)),
+            double_buffer=self._hints.surface(0).double_buffer,
         )
-
-    def _with_samples(self, opening: Callable[[], Any]) -> Any:
-        """Open a window that smooths edges if the program did not ask for one and the driver has it."""
-        glfw = self._glfw
-        if not self.samples_wished or glfw.SAMPLES in self._hints:
-            return opening()
-        glfw.window_hint(glfw.SAMPLES, self.samples_wished)
-        try:
-            handle = opening()
-        finally:
-            glfw.window_hint(glfw.SAMPLES, 0)
-        return handle or opening()
 
     def _create_given(self, width: int, height: int, title: Any, share: Any) -> Any:
         """The GL window is the session's; glfw, without a display, keeps one for its events."""
         glfw, session = self._glfw, self.session
         size = session.window_size or (width, height)
-        glfw.window_hint(glfw.CLIENT_API, glfw.NO_API)
-        try:
-            handle = glfw.create_window(*size, title, None, None)
-        finally:
-            glfw.window_hint(glfw.CLIENT_API, self._hints.get(glfw.CLIENT_API, glfw.OPENGL_API))
+        handle = self._hints.opened_without_gl(lambda: glfw.create_window(*size, title, None, None))
         if not handle:
             raise ScreenError("glfw could not open a window without a display")
+        wanted = self._hints.surface(self.samples_wished)
         shared = self._windows[_address(share)].surface if share else None
-        surface = session.backend.open_window("", size, None, self._format(), WindowEvents(), shared)
-        opened = _GlfwWindow(handle, surface, self._without_fixed_function_asked())
+        surface = session.backend.open_window("", size, None, wanted, WindowEvents(), shared)
+        opened = _GlfwWindow(handle, surface, self._hints.without_fixed_function)
         self._windows[_address(handle)] = opened
         if self._current is not None:
             self._windows[_address(self._current)].surface.make_current()
         return handle
-
-    def _format(self) -> SurfaceFormat:
-        glfw, hints = self._glfw, self._hints
-        accumulation = (glfw.ACCUM_RED_BITS, glfw.ACCUM_GREEN_BITS, glfw.ACCUM_BLUE_BITS)
-        return SurfaceFormat(
-            double_buffer=bool(hints.get(glfw.DOUBLEBUFFER, 1)),
-            depth=hints.get(glfw.DEPTH_BITS, 24) != 0,
-            stencil=hints.get(glfw.STENCIL_BITS, 8) != 0,
-            alpha=hints.get(glfw.ALPHA_BITS, 8) != 0,
-            accumulation=any(hints.get(name, 0) > 0 for name in accumulation),
-            stereo=bool(hints.get(glfw.STEREO, 0)),
-            samples=max(hints.get(glfw.SAMPLES, self.samples_wished), 0),
-        )
-
-    def _without_fixed_function_asked(self) -> bool:
-        glfw, hints = self._glfw, self._hints
-        version = (hints.get(glfw.CONTEXT_VERSION_MAJOR, 1), hints.get(glfw.CONTEXT_VERSION_MINOR, 0))
-        return (
-            hints.get(glfw.CLIENT_API, glfw.OPENGL_API) != glfw.OPENGL_API
-            or (version >= (3, 2) and hints.get(glfw.OPENGL_PROFILE, 0) == glfw.OPENGL_CORE_PROFILE)
-            or (version >= (3, 0) and bool(hints.get(glfw.OPENGL_FORWARD_COMPAT, 0)))
-        )
 
     def make_context_current(self, window: Any) -> None:
         """Direct GL to one of the program's windows, and let the session know."""
