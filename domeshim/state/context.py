@@ -7,7 +7,7 @@ the monitor (DESIGN 2.1). The dome's own state is on only while draws follow eac
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
@@ -18,16 +18,16 @@ from domeshim.lens.landing import Lens
 from domeshim.lens.orientation import Orientation
 from domeshim.options import Options
 from domeshim.shading.program import Program
-from domeshim.shading.recipe import Levels, Patch, Recipe, Scene
+from domeshim.shading.recipe import Patch, Recipe, Scene
 from domeshim.state.binding import Binding
+from domeshim.state.dresser import Dresser
 from domeshim.state.own_programs import OwnPrograms
 from domeshim.state.perspective import Matrix
 from domeshim.state.placement import MainView, Placement, Placer
 from domeshim.state.raster import Point, RasterPoints
 from domeshim.state.scene import GROUPS, SceneState
 from domeshim.state.subdividing import Subdividing
-from domeshim.state.views import Dressing, View, Worn
-from domeshim.state.wardrobe import Look, Wardrobe
+from domeshim.state.views import View
 from domeshim.state.whereabouts import MODELVIEW, PROJECTION, Seen, Whereabouts
 from domeshim.state.window_pixels import WindowPixels
 from domeshim.window.frame import Frame
@@ -56,7 +56,6 @@ class DomeContext:
         self._options = options
         self.shows_levels = options.shows_levels
         """Draws are coloured by how finely they are subdivided."""
-        self._wardrobe = Wardrobe(driver, options, self.lens, self.orientation, frame)
         self.binding = Binding(self)
         self.pixels = WindowPixels(self, options)
         self.subdividing = Subdividing(self, options)
@@ -65,7 +64,8 @@ class DomeContext:
         self._said: set[str] = set()
         self._where = Whereabouts(driver, self.placer, self.own)
         self._raster = False
-        self._worn = Worn(driver)
+        self._dresser = Dresser(self, options)
+        self._worn = self._dresser.worn
         self.canvas = canvas_of(driver, options, frame, self.lens, self.orientation, self.say_once)
         self._raster_points = RasterPoints(driver, self._worn)
         self._patch: Patch | None = None
@@ -76,7 +76,7 @@ class DomeContext:
     def programs(self) -> dict[Recipe, Program]:
         """The vertex programs made for this context, by what they are for."""
         stage = self.own.fragments
-        return self._wardrobe.programs | (stage.programs if stage is not None else {})
+        return self._dresser.wardrobe.programs | (stage.programs if stage is not None else {})
 
     # What a call changed.
 
@@ -122,7 +122,7 @@ class DomeContext:
 
     def hides(self, placement: Placement) -> bool:
         """The user wants nothing of what is drawn there."""
-        return self._wardrobe.hides(placement)
+        return self._dresser.wardrobe.hides(placement)
 
     def settle(self, *, deep: bool = False) -> None:
         """Let the window show what was drawn so far, say to be read; deep: its depths as well."""
@@ -193,7 +193,7 @@ class DomeContext:
             self._uncover()
             self.go_on()
             self._patch, self._raster = patch, raster
-            self._put_on(*self._look())
+            self._dresser.put_on(*self._look(), patch, raster=raster)
             if patch is not None and patch.method == "tessellate":
                 self.driver.glPatchParameteri(_PATCH_VERTICES, patch.corners)
 
@@ -267,7 +267,7 @@ class DomeContext:
     def undress(self) -> None:
         """Give GL back to the program just as it left it."""
         if not self.compiling:
-            self._worn.take_off(self._programs_own)
+            self._dresser.take_off()
 
     def _uncover(self) -> None:
         """Undress if GL is about to be asked for what the dome changes."""
@@ -300,53 +300,3 @@ class DomeContext:
             self.undress()
             known = self._where.ask(self._frame)
         return known
-
-    def _put_on(self, seen: Seen, scene: Scene) -> None:
-        placement, canvas = seen.placement, self.canvas
-        look = self._look_of(placement, scene, seen)
-        if placement.hud and self._options.flat_hud:
-            self.own.leave_straight()
-            self.undress()
-            canvas.settle(deep=True, straight=True)
-            self._wear(Dressing(0, (), tuple(self._flat_views(seen))), seen)
-        elif self.own.current is not None:
-            if any(plane >= self.own.current.planes for plane in scene.clip_planes):
-                self.say_once(
-                    "under the program's own GLSL only GL_CLIP_PLANE0 to 2 cut, and only by its gl_ClipVertex"
-                )
-            enables = self.own.bend(placement, seen.projection, seen.edges, scene.clip_planes)
-            enables = (*enables, *self._wardrobe.discard(look))
-            self._wear(Dressing(0, enables, canvas.views, self.own.current, canvas.framebuffer), seen)
-        else:
-            outfit = self._wardrobe.outfit(look)
-            program = outfit.program
-            self._wear(
-                Dressing(program.name, outfit.enables, canvas.views, program, canvas.framebuffer), seen
-            )
-            self._wardrobe.send(outfit, look, self.subdividing.tolerance)
-
-    def _look_of(self, placement: Placement, scene: Scene, seen: Seen) -> Look:
-        cut = self._patch is not None and self._patch.method == "cpu"
-        patch = None if cut else self._patch
-        if not self.shows_levels:
-            return Look(placement, scene, seen.edges, patch, self._raster, self.own.fragments)
-        levels: Levels = "cut" if cut else "whole" if patch is None else "patch"
-        return Look(placement, scene, seen.edges, patch, self._raster, None, levels)
-
-    def _flat_views(self, seen: Seen) -> Iterator[View]:
-        """The program's window, undistorted, in each eye's part of the frame."""
-        frame = self.frame
-        for number, view in enumerate(self.canvas.views if self.canvas.kind == "disc" else (None,)):
-            eye = min(number, len(frame.squares) - 1)
-            part = None if seen.scissor is None else frame.flat(seen.scissor, eye)
-            yield View(frame.flat(seen.viewport, eye), part, buffer=view.buffer if view else None)
-
-    def _wear(self, dressing: Dressing, seen: Seen) -> None:
-        if dressing.uniforms is not None:
-            self.canvas.drawn(seen.placement.depth)
-        self._worn.put_on(dressing, View(seen.viewport, seen.scissor), self._programs_own)
-
-    @property
-    def _programs_own(self) -> int:
-        """What is bound where the dome's program is not, as far as the dome binds it."""
-        return self.own.fragments.name if self.own.fragments else 0

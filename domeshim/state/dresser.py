@@ -1,0 +1,82 @@
+"""What the next draw wears: one of the dome's programs, or the program's own bent or left straight."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from domeshim.options import Options
+from domeshim.shading.recipe import Levels, Patch, Scene
+from domeshim.state.views import Dressing, View, Worn
+from domeshim.state.wardrobe import Look, Wardrobe
+from domeshim.state.whereabouts import Seen
+
+if TYPE_CHECKING:
+    from domeshim.state.context import DomeContext
+
+
+class Dresser:
+    """Dresses the draws of one context, and undresses it."""
+
+    def __init__(self, context: DomeContext, options: Options) -> None:
+        self._context = context
+        self._options = options
+        self.wardrobe = Wardrobe(context.driver, options, context.lens, context.orientation, context.frame)
+        self.worn = Worn(context.driver)
+
+    def put_on(self, seen: Seen, scene: Scene, patch: Patch | None, *, raster: bool) -> None:
+        """Put on what a draw of this scene needs; patch, raster: as for DomeContext.dress."""
+        context, placement = self._context, seen.placement
+        canvas, own = context.canvas, context.own
+        look = self._look(seen, scene, patch, raster=raster)
+        if placement.hud and self._options.flat_hud:
+            own.leave_straight()
+            context.undress()
+            canvas.settle(deep=True, straight=True)
+            self._wear(Dressing(0, (), tuple(self._flat_views(seen))), seen)
+        elif own.current is not None:
+            if any(plane >= own.current.planes for plane in scene.clip_planes):
+                context.say_once(
+                    "under the program's own GLSL only GL_CLIP_PLANE0 to 2 cut, and only by its gl_ClipVertex"
+                )
+            enables = own.bend(placement, seen.projection, seen.edges, scene.clip_planes)
+            enables = (*enables, *self.wardrobe.discard(look))
+            self._wear(Dressing(0, enables, canvas.views, own.current, canvas.framebuffer), seen)
+        else:
+            outfit = self.wardrobe.outfit(look)
+            program = outfit.program
+            self._wear(
+                Dressing(program.name, outfit.enables, canvas.views, program, canvas.framebuffer), seen
+            )
+            self.wardrobe.send(outfit, look, context.subdividing.tolerance)
+
+    def take_off(self) -> None:
+        """Give GL back to the program just as it left it."""
+        self.worn.take_off(self._programs_own)
+
+    def _look(self, seen: Seen, scene: Scene, patch: Patch | None, *, raster: bool) -> Look:
+        cut = patch is not None and patch.method == "cpu"
+        handed = None if cut else patch
+        if not self._context.shows_levels:
+            return Look(seen.placement, scene, seen.edges, handed, raster, self._context.own.fragments)
+        levels: Levels = "cut" if cut else "whole" if handed is None else "patch"
+        return Look(seen.placement, scene, seen.edges, handed, raster, None, levels)
+
+    def _flat_views(self, seen: Seen) -> Iterator[View]:
+        """The program's window, undistorted, in each eye's part of the frame."""
+        frame, canvas = self._context.frame, self._context.canvas
+        for number, view in enumerate(canvas.views if canvas.kind == "disc" else (None,)):
+            eye = min(number, len(frame.squares) - 1)
+            part = None if seen.scissor is None else frame.flat(seen.scissor, eye)
+            yield View(frame.flat(seen.viewport, eye), part, buffer=view.buffer if view else None)
+
+    def _wear(self, dressing: Dressing, seen: Seen) -> None:
+        if dressing.uniforms is not None:
+            self._context.canvas.drawn(seen.placement.depth)
+        self.worn.put_on(dressing, View(seen.viewport, seen.scissor), self._programs_own)
+
+    @property
+    def _programs_own(self) -> int:
+        """What is bound where the dome's program is not, as far as the dome binds it."""
+        fragments = self._context.own.fragments
+        return fragments.name if fragments else 0
