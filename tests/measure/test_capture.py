@@ -295,3 +295,14 @@ def test_a_swap_finishes_the_picture_of_a_single_buffered_program_that_has_drawn
     single = "def before(n): glutSwapBuffers()\nGLUT_DOUBLE = GLUT_SINGLE\n"
     assert capture(single, "--frame", "2").returncode == 0
     assert picture()[0, 0].tolist() == [1, 10, 20]
+
+
+@pytest.mark.parametrize("mode", ["monitor", "dome"])
+def test_glx_can_be_imported_and_has_no_function(capture, mode):
+    whole = (
+        "from OpenGL.GLX import *\nfrom OpenGL.GLX.MESA.swap_control import glXSwapIntervalMESA\n" + PROGRAM
+    )
+    checked = "\nassert not glXGetCurrentContext and not glXSwapIntervalMESA\nprint('no function')\n"
+    ended = capture("", "--mode", mode, whole=whole.replace("{}", checked))
+    assert ended.returncode == 0, ended.stderr
+    assert "no function" in ended.stdout

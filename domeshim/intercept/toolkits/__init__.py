@@ -1,7 +1,7 @@
 """Programs that open their window with pygame, glfw or Qt: the session hears of their windows and pictures.
 
 Under a command that gives the windows itself (capture), the program's GL window is one of the command's, and
-the toolkit, on its own driver for no display, keeps the events.
+the toolkit, on its own driver for no display, keeps the events; GLX is there without its functions.
 """
 
 from __future__ import annotations
@@ -19,7 +19,14 @@ _PYGAME = ("pygame.display", "pygame.event", "pygame.mouse", "pygame.time")
 _QT_BINDINGS = ("PySide6", "PyQt6", "PyQt5", "PySide2")
 _QT_MODULES = ("QtCore", "QtGui", "QtWidgets", "QtOpenGL", "QtOpenGLWidgets")
 
-WATCHED = (*_PYGAME, "glfw", *(f"{binding}.{part}" for binding in _QT_BINDINGS for part in _QT_MODULES))
+_PLATFORM = "OpenGL.platform"
+
+WATCHED = (
+    _PLATFORM,
+    *_PYGAME,
+    "glfw",
+    *(f"{binding}.{part}" for binding in _QT_BINDINGS for part in _QT_MODULES),
+)
 """The modules of toolkits in which some names are led to ours."""
 
 
@@ -36,6 +43,12 @@ class Toolkits:
         """What stands in for which names of this module; nothing where neither dome nor command needs it."""
         session = self._session
         if not session.options.enabled and not session.backend_given:
+            return {}
+        if name == _PLATFORM:
+            if session.backend_given:
+                from domeshim.intercept.toolkits.glx import without_functions  # noqa: PLC0415 - as below
+
+                without_functions(module.PLATFORM)
             return {}
         if name in _PYGAME:
             return self._the_pygame().replacements(name, module)
