@@ -125,7 +125,7 @@ def test_each_channel_is_seen_through_the_perspective_that_it_was_drawn_in(tmp_p
     [result] = right.results()
     assert (result.verdict, result.difference.reason) == ("alike", "")
     assert result.difference.moved.largest < 0.3
-    monitor = right.take(dome=False).exposures[1].picture
+    monitor = result.monitor
     sound = right.take(dome=True, side=448).exposures[1]
     assert not sound.overlaid
     turned = replace(right, settings={"heading": "1"}).take(dome=True, side=448).exposures[1]
