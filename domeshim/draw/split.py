@@ -159,7 +159,8 @@ def ahead_of_viewer(
     goes with them; parents: (m,). Lines stay as many, and in their order.
     """
     w = (pieces[:, :, :4] * to_eye[3]).sum(-1)
-    heights = w - _HORIZON * np.abs(w).max(1, keepdims=True)
+    passing = w.min(1, keepdims=True) < 0
+    heights = np.where(passing, w - _HORIZON * np.abs(w).max(1, keepdims=True), 1.0)
     ahead = heights > 0
     count = ahead.sum(1)
     one, two = count == 1, (count == 2) & (ahead.shape[1] == 3)

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from domeshim.draw.split import Limit, split_wide
+from domeshim.draw.split import Limit, ahead_of_viewer, split_wide
 from domeshim.record.runs import Run
 
 WIDEST = 1.0
@@ -146,3 +146,12 @@ def test_an_edge_through_infinity_is_cut_there(corners, monkeypatch):
     run = split(points, corners)
     assert len(run.positions) < 12 * corners
     assert run.attributes["place"][:, 3].min() > 0
+
+
+@pytest.mark.parametrize("least", [0.0, 1e-6])
+def test_an_edge_of_any_w_that_does_not_pass_the_viewer_stays_whole(least):
+    w = np.array([[least, 1e6]])
+    pieces = np.concatenate([np.array([[[5.0, 3, -2], [-5, 3, -2]]]), w[..., None]], -1)
+    kept, parents = ahead_of_viewer(pieces, np.array([0]), np.eye(4))
+    assert (kept == pieces).all()
+    assert parents.tolist() == [0]
