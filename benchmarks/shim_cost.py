@@ -48,6 +48,8 @@ glutMainLoop()
 """
 HOOK = "import _domeshim_gate\n_domeshim_gate.arm()\n"
 """What the installed hook does as Python starts."""
+STOCK, DOME = "stock, not installed", "DOME=1"
+"""The ways of which first_pictures tells, besides the one with DOME unset."""
 CALLS = 20_000
 Seconds = tuple[float, float]
 """By the clock, and of the processor."""
@@ -66,9 +68,9 @@ def first_pictures(rounds: int) -> dict[str, Seconds]:
         plain = plain | {"DISPLAY": display, "LIBGL_ALWAYS_SOFTWARE": "1"}
         hooked = plain | {"PYTHONPATH": f"{folder}/hook{os.pathsep}{ROOT}"}
         ways: dict[str, Mapping[str, str]] = {
-            "stock, not installed": {name: value for name, value in plain.items() if name != "PYTHONPATH"},
+            STOCK: {name: value for name, value in plain.items() if name != "PYTHONPATH"},
             "DOME unset": hooked,
-            "DOME=1": hooked | {"DOME": "1"},
+            DOME: hooked | {"DOME": "1"},
         }
         times: dict[str, list[Seconds]] = {name: [] for name in ways}
         for number in range(rounds + 1):

@@ -30,9 +30,13 @@ class Rim:
 
     def __init__(self, driver: Driver) -> None:
         self._driver = driver
+
+    @cached_property
+    def _rings(self) -> tuple[Program, Program]:
+        """Over the disc's edge, and from there on."""
         vertex = _source("frame/rim.vert")
-        self._edge = Program(driver, vertex, _source("frame/rim.frag"))
-        self._outside = Program(driver, vertex, _source("frame/black.frag"))
+        edge, outside = _source("frame/rim.frag"), _source("frame/black.frag")
+        return Program(self._driver, vertex, edge), Program(self._driver, vertex, outside)
 
     @cached_property
     def _keystone(self) -> Program:
@@ -60,7 +64,7 @@ class Rim:
 
     def _around(self, frame: Frame, disc: tuple[float, float, float]) -> None:
         """Blacken what is outside one disc: its centre and radius, pixels."""
-        for ring, program in enumerate((self._edge, self._outside)):
+        for ring, program in enumerate(self._rings):
             self._driver.glUseProgram(program.name)
             program.set("domeDisc", disc)
             program.set("domeFrame", frame.size)

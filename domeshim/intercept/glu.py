@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
+from functools import cache
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
@@ -11,7 +12,6 @@ import numpy as np
 
 from domeshim.intercept import gl
 from domeshim.intercept.dome import Dome
-from domeshim.intercept.quadrics.calls import quadric_calls
 from domeshim.intercept.state_calls import draw, draw_curve, kept_in_lists, read
 from domeshim.state.perspective import perspective
 
@@ -31,7 +31,25 @@ def replacements(session: Session, module: ModuleType) -> dict[str, Call]:
         for name, original in vars(module).items()
         if name.startswith("glu") and callable(original) and name not in _UNSEEN
     }
-    return ours | quadric_calls(dome, vars(module), unseen=ours)
+    return ours | _quadrics(dome, dict(vars(module)), unseen=ours)
+
+
+def _quadrics(dome: Dome, originals: Mapping[str, Call], unseen: Mapping[str, Call]) -> dict[str, Call]:
+    """Our functions for the names of quadrics, made when the program calls the first."""
+
+    @cache
+    def made() -> dict[str, Call]:
+        from domeshim.intercept.quadrics.calls import quadric_calls  # noqa: PLC0415 - only who draws them pays
+
+        return quadric_calls(dome, originals, unseen)
+
+    def late(name: str) -> Call:
+        def call(*args: Any, **named: Any) -> Any:
+            return made()[name](*args, **named)
+
+        return call
+
+    return {name: late(name) for name in originals if _OF_QUADRICS.fullmatch(name)}
 
 
 def _perspective(dome: Dome, original: Call) -> Call:
@@ -52,6 +70,9 @@ def _look_at(dome: Dome, original: Call) -> Call:
     return call
 
 
+_OF_QUADRICS = re.compile(
+    r"glu((New|Delete)Quadric|Quadric(DrawStyle|Normals|Orientation|Texture)|Sphere|Cylinder|Disk|PartialDisk)"
+)
 _DRAWS = re.compile(r"glu(Sphere|Cylinder|Disk|PartialDisk|EndCurve|EndSurface)")
 _UNSEEN = frozenset(("gluErrorString", "gluGetString", "gluNewQuadric", "gluNewTess", "gluNewNurbsRenderer"))
 _CALLS: Mapping[str, Callable[[Dome, Call], Call]] = {

@@ -14,7 +14,7 @@ import report
 from domeshim.bench.edge_error import EdgeError
 from domeshim.bench.results import Cost, Results, Row
 
-SOON = {"stock": (0.5, 0.2), "DOME=1": (0.9, 0.6)}
+SOON = {"stock, not installed": (0.5, 0.2), "DOME=1": (0.9, 0.6)}
 
 
 def row(family: str, detail: str, ratio: float, largest: float) -> Row:
@@ -49,6 +49,7 @@ def test_the_page_has_everything():
     for words in (
         "a GL",
         "| DOME=1 | 0.90 | 0.60 |",
+        "at most 0.25 s more than stock; it takes 0.40 s, or 0.40 s of the processor",
         "| glVertex3f | 500 | 150 |",
         "stability.md",
         "corpus.md",

@@ -175,6 +175,20 @@ def test_nothing_is_resolved_unless_the_window_is_multisampled(calls):
     assert not calls["glGenTextures"]
 
 
+@pytest.mark.parametrize(
+    ("surface", "rings", "corners"),
+    [
+        (("dome", ()), 2, 0),
+        (("keystone", (0.0, 0.0, 1.0, 0.1, 1.0, 0.9, 0.0, 1.0)), 0, 1),
+        (("cylinder", (220.0, -30.0, 40.0)), 0, 0),
+    ],
+)
+def test_the_rim_is_compiled_as_far_as_it_is_drawn(calls, surface, rings, corners):
+    draw(triangle, surface=surface)
+    assert sum("const int PIECES" in text for text in calls.texts) == rings
+    assert sum("domeToSquare" in text for text in calls.texts) == corners
+
+
 LEFT_OUT = (
     *("click", "glfw", "moderngl", "HersheyFonts", "PIL", "tqdm"),
     *("domeshim.bench", "domeshim.cli", "domeshim.diagnosis", "domeshim.measure", "domeshim.preview"),
@@ -183,6 +197,7 @@ LEFT_OUT = (
     *("domeshim.GLUT.typefaces.layout", "domeshim.GLUT.typefaces.substitute"),
     *("domeshim.draw.arrays", "domeshim.draw.atlas", "domeshim.draw.clear", "domeshim.draw.cubemap"),
     *("domeshim.draw.finish", "domeshim.draw.finishing", "domeshim.draw.resampling", "domeshim.draw.tiles"),
+    *("domeshim.intercept.quadrics.calls", "domeshim.intercept.quadrics.shapes"),
     *("domeshim.intercept.toolkits.pygame", "domeshim.intercept.toolkits.qt"),
     *("domeshim.lens.card", "domeshim.lens.cylinder", "domeshim.lens.fit", "domeshim.lens.measured"),
     *("domeshim.lens.mesh", "domeshim.lens.polynomials", "domeshim.lens.table"),
@@ -244,5 +259,7 @@ def test_a_simple_program_loads_no_module_that_it_does_not_need():
 def test_what_a_program_uses_is_loaded_then():
     more = 'glutStrokeString(GLUT_STROKE_ROMAN, b"a"); glScissor(8, 8, 16, 16); glEnable(GL_SCISSOR_TEST)'
     more += "; glClear(GL_COLOR_BUFFER_BIT); glGetFloatv(GL_CURRENT_RASTER_POSITION)"
+    more += "; gluSphere(gluNewQuadric(), 0.1, 8, 8)"
     used = {"domeshim.GLUT.typefaces.layout", "domeshim.draw.clear", "domeshim.state.monitor_raster"}
+    used.add("domeshim.intercept.quadrics.shapes")
     assert modules_of_a_program(more) >= used
