@@ -95,6 +95,7 @@ class WatchedDriver(Driver):
             (
                 "draw_patches",
                 False,
+                # A quad's four corners count as the two triangles that they make.
                 lambda run, kind, *_: len(run.positions) // (3 if kind == "triangles" else 2),
             ),
             ("draw_cut", True, lambda run, *_: len(run.positions) // 3),

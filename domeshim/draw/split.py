@@ -20,10 +20,12 @@ _SHARE = 0.5
 """How long an edge may be as a share of its angle from straight behind: its pieces are alike then."""
 _HORIZON = 1e-6
 """How small a share of a primitive's largest w still lies ahead: far outside of any view."""
-_ENDS = {2: ([0], [1]), 3: ([0, 1, 2], [1, 2, 0])}
+_ENDS = {2: ([0], [1]), 3: ([0, 1, 2], [1, 2, 0]), 4: ([0, 1, 2, 3], [1, 2, 3, 0])}
 """The two ends of each edge, by how many corners there are."""
 _STIFFEST = np.log(1e30)
 """How many times farther away an edge's one end may be than the other, as a logarithm."""
+_SQUARE = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
+"""(4, 2): where a quad's corners lie in it."""
 
 Floats = NDArray[np.floating]
 
@@ -75,17 +77,16 @@ class Limit:
 def split_wide(run: Run, corners: int, to_eye: Floats, limit: Limit) -> Run:
     """Pieces with every edge under its limit, which keep the corners of the primitive that they come from.
 
-    run: (n * corners) vertices, primitive after primitive; corners: 2 or 3; to_eye: (4, 4), the run's space
-    to eye space. What has no finite position is left out. The result has two attributes more: "place", each
-    piece's own corners, and "weights", where they lie in the whole primitive.
+    run: (n * corners) vertices, primitive after primitive; corners: 2, 3 or a parallelogram's 4; to_eye:
+    (4, 4), the run's space to eye space. What has no finite position is left out. The result has two
+    attributes more: "place", each piece's own corners, and "weights", where they lie in the whole primitive.
     """
     parents, places, weights = _pieces(run, corners, to_eye, limit)
     chosen = (parents[:, None] * corners + np.arange(corners)).ravel()
     attributes = {name: values[chosen] for name, values in run.attributes.items()}
-    if corners == 2:
-        weights = np.concatenate([weights, np.zeros_like(weights[:, :, :1])], -1)
     attributes["place"] = places.reshape(-1, 4).astype(np.float32)
-    attributes["weights"] = weights.reshape(-1, 3).astype(np.float32)
+    attributes["weights"] = np.zeros((len(chosen), 3), np.float32)
+    attributes["weights"][:, : weights.shape[2]] = weights.reshape(-1, weights.shape[2])
     return replace(run, positions=run.positions[chosen], attributes=attributes)
 
 
@@ -126,12 +127,15 @@ def homogeneous(positions: Floats) -> Floats:
 def _pieces(run: Run, corners: int, to_eye: Floats, limit: Limit) -> tuple[NDArray[np.intp], Floats, Floats]:
     """Each piece's primitive, (m,), its corners, (m, corners, 4), and where those lie in the primitive.
 
-    The last are weights of the primitive's corners: (m, corners, corners), the rows of sum 1.
+    The last are weights of the primitive's corners: (m, corners, corners), the rows of sum 1; of a quad the
+    places in it, (m, 4, 2), from (0, 0) at its first corner to (1, 1) at its third.
     """
     places = homogeneous(run.positions).reshape(-1, corners, 4)
     parents = np.flatnonzero(np.isfinite(places).all((1, 2)))
-    weights = np.broadcast_to(np.eye(corners), (len(places), corners, corners))
-    pieces, parents = ahead_of_viewer(np.concatenate([places, weights], -1)[parents], parents, to_eye)
+    within = _SQUARE if corners == 4 else np.eye(corners)
+    pieces = np.concatenate([places, np.broadcast_to(within, (len(places), *within.shape))], -1)[parents]
+    pieces, parents = ahead_of_viewer(pieces, parents, to_eye)
+    cut = _cut if corners == 4 else _halved
     done_pieces, done_parents = [], []
     for _ in range(_MOST_ROUNDS):
         angles, limits, lengths = edges_of((pieces[:, :, None, :4] * to_eye).sum(-1), limit)
@@ -140,7 +144,7 @@ def _pieces(run: Run, corners: int, to_eye: Floats, limit: Limit) -> tuple[NDArr
         done_parents.append(parents[~wide])
         if not wide.any():
             break
-        pieces = _halved(pieces[wide], np.where(angles > limits, angles, 0)[wide].argmax(1), lengths[wide])
+        pieces = cut(pieces[wide], np.where(angles > limits, angles, 0)[wide], lengths[wide])
         parents = np.tile(parents[wide], 2)
     else:
         done_pieces.append(pieces)
@@ -162,7 +166,7 @@ def ahead_of_viewer(
     passing = w.min(1, keepdims=True) < 0
     heights = np.where(passing, w - _HORIZON * np.abs(w).max(1, keepdims=True), 1.0)
     ahead = heights > 0
-    count = ahead.sum(1)
+    count = np.where((w < 0).any(1), ahead.sum(1), 0)
     one, two = count == 1, (count == 2) & (ahead.shape[1] == 3)
     if one.any():
         pieces = pieces.copy()
@@ -220,13 +224,38 @@ def _angles_between(a: Floats, b: Floats) -> Floats:
     return angles
 
 
-def _halved(pieces: Floats, edge: NDArray[np.integer], lengths: Floats) -> Floats:
-    """Each piece cut in two at the middle, in angle, of one edge."""
+def _halved(pieces: Floats, wide: Floats, lengths: Floats) -> Floats:
+    """Each line or triangle cut in two at the middle, in angle, of its widest edge. Shapes as for _cut."""
     rows = np.arange(len(pieces))
-    a, b = edge, (edge + 1) % pieces.shape[1]
-    ra, rb = lengths[rows, a][:, None], lengths[rows, b][:, None]
-    middle = (rb * pieces[rows, a] + ra * pieces[rows, b]) / np.maximum(ra + rb, 1e-300)
+    a = wide.argmax(1)
+    b = (a + 1) % pieces.shape[1]
+    middle = _middle(pieces[rows, a], pieces[rows, b], lengths[rows, a], lengths[rows, b])
     first, second = pieces.copy(), pieces.copy()
     first[rows, b] = middle
     second[rows, a] = middle
     return np.concatenate([first, second])
+
+
+def _cut(pieces: Floats, wide: Floats, lengths: Floats) -> Floats:
+    """Each quad cut in two at the middle, in angle, of its widest edge.
+
+    pieces: (n, 4, k), the corners' places first; wide: (n, 4), the angle of each edge, corner i to i + 1, 0
+    where it may stay whole; lengths: (n, 4). The cut goes to the opposite edge where that is wide as well,
+    else to a corner: no edge is cut but for its own sake. A triangle comes out as a quad whose last two
+    corners are one.
+    """
+    rows = np.arange(len(pieces))[:, None]
+    order = (wide.argmax(1)[:, None] + np.arange(4)) % 4
+    wide, lengths = wide[rows, order], lengths[rows, order]
+    a, b, c, d = np.moveaxis(pieces[rows, order], 1, 0)
+    middle = _middle(a, b, lengths[:, 0], lengths[:, 1])
+    opposite = np.where(wide[:, 2:3] > 0, _middle(c, d, lengths[:, 2], lengths[:, 3]), c)
+    return np.concatenate([np.stack([a, middle, opposite, d], 1), np.stack([middle, b, c, opposite], 1)])
+
+
+def _middle(a: Floats, b: Floats, a_length: Floats, b_length: Floats) -> Floats:
+    """Halfway, in angle, between points at these distances from the eye. a, b: (n, k); lengths: (n,)."""
+    middle: Floats = (b_length[:, None] * a + a_length[:, None] * b) / np.maximum(
+        a_length + b_length, 1e-300
+    )[:, None]
+    return middle

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Collection
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Literal, Protocol
 
 from domeshim.draw.order import alike, order_shows
 from domeshim.draw.patches import LINES, POINTS, TRIANGLES, Edged, Indices, Kind
 from domeshim.draw.primitives import FILL, Primitives, extent_of, primitives_of, taken
+from domeshim.draw.quads import as_quads
 from domeshim.draw.split import split_wide, triangles_under
 from domeshim.draw.strips import line_strips
 from domeshim.record.runs import Block, Run
@@ -82,6 +83,9 @@ def subdivide(
             drawer.draw_all(TRIANGLES, taken(run, indices), context.draw)
         elif subdivision.method == "cpu":
             draw_cut(taken(run, indices), context, drawer)
+        elif kind == "triangles" and subdivision.method == "tessellate" and context.subdividing.even_w:
+            for shape, chosen in as_quads(run, indices, flat=_flat(context)):
+                draw_patches(taken(run, chosen), shape, context, drawer, subdivision)
         else:
             draw_patches(taken(run, indices), kind, context, drawer, subdivision)
     return True
@@ -110,7 +114,11 @@ def _draw_chosen(
 
 
 def draw_patches(
-    piece: Run, kind: Edged, context: DomeContext, drawer: Drawer, subdivision: Subdivision
+    piece: Run,
+    kind: Edged | Literal["quads"],
+    context: DomeContext,
+    drawer: Drawer,
+    subdivision: Subdivision,
 ) -> None:
     """Draw a piece of a run, primitive after primitive, as patches."""
     patch = patch_for(kind, subdivision)
@@ -119,7 +127,7 @@ def draw_patches(
     drawer.draw_all(patch.mode, piece, partial(context.draw, patch=patch))
 
 
-def patch_for(kind: Edged, subdivision: Subdivision) -> Patch:
+def patch_for(kind: Edged | Literal["quads"], subdivision: Subdivision) -> Patch:
     """What a draw of such primitives hands over to a shader that subdivides."""
     lengthened = subdivision.lengthened and kind == "lines"
     method: PatchMethod = "geometry" if subdivision.method == "geometry" or lengthened else "tessellate"

@@ -1,4 +1,4 @@
-"""Where points even in angle lie on a line or a triangle: the twins of glsl/tessellate's weights."""
+"""Where points even in angle lie on a line, triangle or parallelogram: the twins of glsl/tessellate."""
 
 from __future__ import annotations
 
@@ -35,9 +35,37 @@ def triangle_weights(shares: Floats, angles: Floats, distances: Floats) -> Float
     return np.where(inner[:, None], _blended(shares, angle, distances, nearest), shares)
 
 
+def quad_weights(shares: Floats, angles: Floats, distances: Floats) -> Floats:
+    """The weights of a parallelogram's corners at shares of its two ways, on edges those of lines: (n, 4).
+
+    shares: (n, 2), from the first corner to the second, and to the fourth; angles: (n, 4), radians, of the
+    edge from each corner to the next; distances: (n, 4), of the corners from the eye. Inside, the corners'
+    directions are blended evenly in angle both ways, each by the angles of the two edges that go that way.
+    """
+    across, up = shares[:, :1], shares[:, 1:]
+    nearest = distances.min(1, keepdims=True)
+    of_across = _even(np.hstack([1 - across, across]), angles[:, :1] * (1 - up) + angles[:, 2:3] * up)
+    of_up = _even(np.hstack([1 - up, up]), angles[:, 3:] * (1 - across) + angles[:, 1:2] * across)
+    weights = of_across[:, [0, 1, 1, 0]] * of_up[:, [0, 0, 1, 1]] * (nearest / distances)
+    for side, (share, at, first, second) in enumerate(
+        ((up, 0, 0, 1), (across, 1, 1, 2), (up, 1, 3, 2), (across, 0, 0, 3))
+    ):
+        along = across if side % 2 == 0 else up
+        edge = np.zeros_like(weights)
+        edge[:, [first, second]] = line_weights(
+            np.hstack([1 - along, along]), angles[:, side], distances[:, [first, second]]
+        )
+        weights = np.where(share == at, edge, weights)
+    return np.asarray(weights / weights.sum(1, keepdims=True))
+
+
+def _even(shares: Floats, angles: Floats) -> Floats:
+    even: Floats = np.where(angles > _STRAIGHT, np.sin(shares * angles), shares)
+    return even
+
+
 def _blended(shares: Floats, angles: Floats, distances: Floats, nearest: Floats) -> Floats:
-    angles = angles[:, None]
-    even = np.where(angles > _STRAIGHT, np.sin(shares * angles), shares)
+    even = _even(shares, angles[:, None])
     ratio = nearest / np.maximum(distances, np.finfo(float).tiny)
     weights = even * np.minimum(ratio, 1)
     total = weights.sum(1, keepdims=True)

@@ -109,7 +109,7 @@ class CatchingDriver(Driver):
 
     def _corners(self, mode: int) -> int:
         if mode == _PATCHES:
-            return self.integer(_PATCH_VERTICES)
+            return min(self.integer(_PATCH_VERTICES), 3)  # a quad comes out as triangles
         return 1 if mode == 0 else 2 if mode <= 3 else 3
 
     def _make_room(self, size: int) -> None:

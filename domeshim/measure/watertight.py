@@ -27,14 +27,26 @@ def random_mesh(seed: int) -> list[Part]:
     """Cells, all around the viewer or on a sheet before him, of mixed primitives that share their edges.
 
     Every cell's corners are the very same numbers as its neighbours'; the cells of a row go by one mode.
+    Those of a box around the viewer are parallelograms.
     """
     random = np.random.default_rng(seed)
-    around = bool(random.integers(2))
+    around, box = bool(random.integers(2)), bool(random.integers(2))
     rows, columns = random.integers(2, 7, 2)
     turn, _ = np.linalg.qr(random.normal(size=(3, 3)))
-    grid = _sphere(random, rows, columns + 2) if around else _sheet(random, rows, columns)
-    grid = np.float32(grid @ turn if around else grid).astype(float)
-    return [part for upper, lower in pairwise(grid) for part in _row(random, upper, lower)]
+    if not around:
+        grids = [_sheet(random, rows, columns)]
+    elif box:
+        grids = list(_box(random, rows))
+    else:
+        grids = [_sphere(random, rows, columns + 2)]
+    if around:
+        grids = [(grid[..., None] * turn).sum(-2) for grid in grids]  # to the bit, whatever the grid's shape
+    return [
+        part
+        for grid in grids
+        for upper, lower in pairwise(np.float32(grid).astype(float))
+        for part in _row(random, upper, lower)
+    ]
 
 
 def surrounds(seed: int) -> bool:
@@ -52,6 +64,21 @@ def holes(picture: NDArray[np.uint8]) -> int:
     black = (picture.max(-1) == 0) | outside
     parts, _ = ndimage.label(black, np.ones((3, 3)))
     return int((black & (parts != parts[0, 0])).sum())
+
+
+def _box(random: np.random.Generator, cells: int) -> Iterator[Floats]:
+    """(cells + 1, cells + 1, 3) six times: the sides of a box, the viewer anywhere within."""
+    edge = 10 ** random.uniform(-1, 2, 3)
+    low = -edge * random.uniform(0.02, 0.98, 3)
+    steps = low + edge * np.arange(cells + 1)[:, None] / cells
+    for axis in range(3):
+        across, up = (axis + 1) % 3, (axis + 2) % 3
+        for end in (0, -1):
+            side = np.empty((cells + 1, cells + 1, 3))
+            side[..., axis] = steps[end, axis]
+            side[..., across] = steps[:, across]
+            side[..., up] = steps[:, None, up]
+            yield side
 
 
 def _sphere(random: np.random.Generator, rows: int, columns: int) -> Floats:

@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-import logging
 import os
 import random
-import signal
 from collections.abc import Iterator
 from contextlib import ExitStack, suppress
 from dataclasses import replace
 from itertools import zip_longest
-from multiprocessing import resource_tracker
 from pathlib import Path
 from typing import NamedTuple
 from uuid import uuid4
 
 from dask.system import CPU_COUNT
-from distributed import Client, Future, LocalCluster, Worker, WorkerPlugin, as_completed, get_worker
+from distributed import Client, LocalCluster, Worker, WorkerPlugin, as_completed, get_worker
 
 from domeshim.errors import DomeError
 from domeshim.render.files import write
@@ -26,8 +23,6 @@ from domeshim.render.show import Progress
 
 _COMPARED = 2
 """So many pictures are made twice."""
-_TOKEN = ".domeshim-"
-"""Begins the name of a file by which workers find out whether they see the output's folder."""
 _RASTER_THREADS = "LP_NUM_THREADS"
 """So many Mesa's llvmpipe takes in each process; it would take one a core."""
 
@@ -45,7 +40,7 @@ class Keeper(WorkerPlugin):  # type: ignore[misc] # Dask's types are not looked 
     def teardown(self, worker: Worker) -> None:  # noqa: ARG002 - Dask's own signature
         """The worker ends."""
         if self._maker is not None:
-            self._maker.give_up()
+            self._maker.close()
 
     def make(self, frames: tuple[int, ...], also: int | None) -> list[Made]:
         """Make these pictures; their files' contents come with them where the storage is not shared.
@@ -79,8 +74,9 @@ class Chunk(NamedTuple):
 
 def make_chunk(name: str, chunk: Chunk) -> list[Made]:
     """A task: make these pictures on the worker where it runs; name: of the plugin there."""
-    keeper = get_worker().plugins.get(name)
-    return keeper.make(*chunk) if isinstance(keeper, Keeper) else []  # nobody waits for it any more
+    keeper = get_worker().plugins[name]
+    assert isinstance(keeper, Keeper)
+    return keeper.make(*chunk)
 
 
 class Farm:
@@ -108,26 +104,14 @@ class Farm:
         if self._seed is not None:
             random.Random(self._seed).shuffle(chunks)
         with ExitStack() as stack:
-            stack.callback(_hear_interrupts)
-            _put_off_interrupts()
-            for left in plan.output.glob(f"{_TOKEN}*"):  # by a client that was killed
-                left.unlink(missing_ok=True)
-            token = plan.output / f"{_TOKEN}{uuid4().hex}"
+            token = plan.output / f".{uuid4().hex}"
             write(token, b"")
             stack.callback(token.unlink, missing_ok=True)
             client = self._client(stack)
             keeper = Keeper(plan, token)
             client.register_plugin(keeper)
             stack.callback(_forget, client, keeper.name)
-            stack.callback(_put_off_interrupts)  # once was enough
-            # Tasks that are still waiting are of no interest to anybody, nor is that they cannot be sent.
-            stack.callback(logging.getLogger("distributed").setLevel, logging.CRITICAL)
-            futures = {
-                client.submit(make_chunk, keeper.name, chunk, pure=False, priority=-number): chunk
-                for number, chunk in enumerate(chunks)
-            }
-            _hear_interrupts()
-            yield from _collect(futures, plan)
+            yield from _collect(client, keeper.name, plan, chunks)
 
     def _chunks(self, frames: list[int]) -> list[Chunk]:
         rows = [tuple(frames[i : i + self._chunk]) for i in range(0, len(frames), self._chunk)]
@@ -139,7 +123,7 @@ class Farm:
             cluster = LocalCluster(
                 n_workers=self._workers,
                 threads_per_worker=1,
-                dashboard_address=":0",
+                dashboard_address=None,
                 env=_shared_cores(self._workers),
             )
             return stack.enter_context(Client(stack.enter_context(cluster)))
@@ -149,22 +133,16 @@ class Farm:
             raise DomeError(f"--cluster={self._cluster}: no scheduler answers there ({error})") from None
 
 
-def _put_off_interrupts() -> None:
-    """This thread hears of Ctrl+C later; threads and processes that begin meanwhile never do, nor need to."""
-    resource_tracker.ensure_running()  # which would begin with the first process, and let Ctrl+C in
-    signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-
-
-def _hear_interrupts() -> None:
-    signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
-
-
 def _shared_cores(workers: int) -> dict[str, str]:
     """What each of so many workers on this machine finds in its environment."""
     return {} if _RASTER_THREADS in os.environ else {_RASTER_THREADS: str(max(CPU_COUNT // workers, 1))}
 
 
-def _collect(futures: dict[Future, Chunk], plan: Plan) -> Iterator[Made]:
+def _collect(client: Client, name: str, plan: Plan, chunks: list[Chunk]) -> Iterator[Made]:
+    futures = {
+        client.submit(make_chunk, name, chunk, pure=False, priority=-number): chunk
+        for number, chunk in enumerate(chunks)
+    }
     for future in as_completed(futures):
         try:
             done = future.result()

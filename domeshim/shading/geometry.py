@@ -11,6 +11,7 @@ from domeshim.shading.pieces import (
     add_edges,
     add_place,
     add_vertex,
+    add_weights,
     patch_of,
     shape,
     unbent_vertex,
@@ -58,7 +59,7 @@ def _geometry(recipe: Recipe) -> Source:
     draft = Draft(opening=f"void vertexAt(vec{patch.corners} b) {{")
     add_place(draft, recipe)
     add_edges(draft, recipe)
-    draft.need(f"tessellate/{shape(recipe)}_weights")
+    add_weights(draft, recipe)
     draft.need(f"tessellate/{'lengthened_' if patch.lengthened else ''}{shape(recipe)}.geom")
     if patch.split:
         draft.need("tessellate/piece.geom")

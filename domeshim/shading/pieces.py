@@ -60,18 +60,30 @@ def add_edges(draft: Draft, recipe: Recipe) -> None:
     """What finds the pieces of a patch's edges."""
     draft.need("tessellate/direction")
     draft.need("tessellate/angle")
-    draft.need("tessellate/pieces_behind" if recipe.mapping.near_behind else "tessellate/pieces")
+    draft.need("tessellate/need_behind" if recipe.mapping.near_behind else "tessellate/need")
+    draft.need("tessellate/pieces")
     draft.need(f"tessellate/{shape(recipe)}_edges")
+
+
+def add_weights(draft: Draft, recipe: Recipe) -> None:
+    """What finds where a vertex of a patch lies in it."""
+    draft.need("tessellate/edge_weights")
+    kind = patch_of(recipe).kind
+    if kind != "lines":
+        draft.need(f"tessellate/{shape(recipe)}_weights")
+    if kind == "quads":
+        draft.need("tessellate/quad_halves")
 
 
 def add_vertex(draft: Draft, recipe: Recipe, shares: str) -> None:
     """The statements that make a vertex of its weights b in the patch.
 
-    shares: the array with each corner's weights in the whole primitive, where the patch is a piece of it.
+    shares: the array that tells where each corner lies in the whole primitive, if the patch is a piece of it.
     """
     patch = patch_of(recipe)
     draft.add(
-        f"vec4 position = {_blend('b', 'gl_in[{}].gl_Position', patch)};", "vec4 place = placeOf(position);"
+        f"precise vec4 position = {_blend('b', 'gl_in[{}].gl_Position', patch)};",
+        "vec4 place = placeOf(position);",
     )
     _add_position(draft, recipe)
     add_surface(draft, recipe.mapping)
@@ -79,6 +91,10 @@ def add_vertex(draft: Draft, recipe: Recipe, shares: str) -> None:
     if patch.split:
         draft.add(f"vec3 share = {_blend('b', shares + '[{}]', patch)};")
         weights = "share"
+    if patch.kind == "quads":
+        within = "share.xy" if patch.split else "vec2(b.y + b.z, b.z + b.w)"
+        draft.add(f"vec4 halves = onHalves({within});")
+        weights = "halves"
     for varying in varyings(recipe):
         if recipe.flat and "Color" in varying:
             draft.add(f"{varying} = gl_in[{patch.corners - 1}].{varying};")
@@ -124,7 +140,7 @@ def patch_of(recipe: Recipe) -> Patch:
 
 def shape(recipe: Recipe) -> str:
     """What the snippets call the patch."""
-    return "line" if patch_of(recipe).kind == "lines" else "triangle"
+    return patch_of(recipe).kind.removesuffix("s")
 
 
 def varyings(recipe: Recipe) -> list[str]:
@@ -144,4 +160,4 @@ def varyings(recipe: Recipe) -> list[str]:
 
 
 def _blend(weights: str, of_corner: str, patch: Patch) -> str:
-    return " + ".join(f"{weights}.{'xyz'[i]} * {of_corner.format(i)}" for i in range(patch.corners))
+    return " + ".join(f"{weights}.{'xyzw'[i]} * {of_corner.format(i)}" for i in range(patch.corners))

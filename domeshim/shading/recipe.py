@@ -28,7 +28,8 @@ PatchMethod = Literal["tessellate", "geometry", "cpu"]
 class Patch(NamedTuple):
     """What a draw hands over to be subdivided on the GPU, and how; or that it was on the CPU."""
 
-    kind: Literal["triangles", "lines"]
+    kind: Literal["quads", "triangles", "lines"]
+    """Quads are parallelograms, and only tessellated."""
     method: PatchMethod = "tessellate"
     split: bool = False
     """Pieces of larger primitives: each vertex has the larger one's corner, and tells where its own lies."""
@@ -38,7 +39,7 @@ class Patch(NamedTuple):
     @property
     def corners(self) -> int:
         """How many vertices it has."""
-        return 2 if self.kind == "lines" else 3
+        return {"lines": 2, "triangles": 3, "quads": 4}[self.kind]
 
     @property
     def mode(self) -> int:

@@ -11,6 +11,7 @@ from domeshim.shading.pieces import (
     add_edges,
     add_place,
     add_vertex,
+    add_weights,
     patch_of,
     shape,
     unbent_vertex,
@@ -47,7 +48,7 @@ def _control(recipe: Recipe) -> Source:
 def _evaluation(recipe: Recipe) -> Source:
     draft = Draft()
     add_place(draft, recipe)
-    draft.need(f"tessellate/{shape(recipe)}_weights")
+    add_weights(draft, recipe)
     draft.need(f"tessellate/{shape(recipe)}.tese")
     if patch_of(recipe).split:
         draft.need("tessellate/piece.tese")

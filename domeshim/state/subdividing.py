@@ -124,6 +124,11 @@ class Subdividing:
         """(4, 4): the space of the vertices that are drawn now -> the dome's eye space."""
         return np.array(self._to_eye(self._context.seen.placement)).reshape(4, 4).T
 
+    @property
+    def even_w(self) -> bool:
+        """Places drawn now all have the w that they were given, times one number: none is behind infinity."""
+        return not self.to_eye[3, :3].any()
+
     @cached_property
     def method(self) -> Method | None:
         """What subdivides, if anything does."""

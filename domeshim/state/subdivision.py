@@ -165,7 +165,6 @@ def _over(corners: Floats, to_eye: Matrix, limit: Limit) -> NDArray[np.bool_]:
     """(n,): which primitives have an edge over its limit, or no place; corners: (n, 2 or 3, 3)."""
     homogeneous = np.concatenate([corners.astype(float), np.ones_like(corners[..., :1])], -1)
     with np.errstate(invalid="ignore"):
-        eye = (homogeneous.reshape(-1, 4) @ to_eye.T).reshape(homogeneous.shape)
-        angles, limits, _ = edges_of(eye, limit)
+        angles, limits, _ = edges_of(homogeneous @ to_eye.T, limit)
     over: NDArray[np.bool_] = np.logical_not((angles <= limits).all(1))
     return over

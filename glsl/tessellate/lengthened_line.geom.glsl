@@ -33,7 +33,7 @@ void main() {
     }
     emitAt(vec2(1.0, 0.0), -moved);
     for (int k = 1; k < n; ++k)
-        emitAt(evenWeights(vec2(n - k, k) / float(n), line.angle, line.distances), vec2(0.0));
+        emitAt(evenOnEdge(vec2(n - k, k) / float(n), line.angle, line.distances), vec2(0.0));
     emitAt(vec2(0.0, 1.0), moved);
     EndPrimitive();
 }

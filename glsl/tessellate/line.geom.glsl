@@ -10,6 +10,6 @@ void main() {
     if (n == 0)
         return;
     for (int k = 0; k <= n; ++k)
-        vertexAt(evenWeights(vec2(n - k, k) / float(n), line.angle, line.distances));
+        vertexAt(evenOnEdge(vec2(n - k, k) / float(n), line.angle, line.distances));
     EndPrimitive();
 }

@@ -4,5 +4,5 @@ patch in float domeAngle;
 patch in vec2 domeDistances;
 
 vec2 weights() {
-    return evenWeights(vec2(1.0 - gl_TessCoord.x, gl_TessCoord.x), domeAngle, domeDistances);
+    return evenOnEdge(vec2(1.0 - gl_TessCoord.x, gl_TessCoord.x), domeAngle, domeDistances);
 }

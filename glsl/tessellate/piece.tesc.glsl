@@ -1,3 +1,3 @@
-// Where the piece's corners lie in the whole primitive.
+// Where the piece's corners, four at most, lie in the whole primitive.
 in vec3 domeShare[];
-patch out vec3 domeShares[3];
+patch out vec3 domeShares[4];

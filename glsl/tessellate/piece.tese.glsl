@@ -1,2 +1,2 @@
-// Where the piece's corners lie in the whole primitive.
-patch in vec3 domeShares[3];
+// Where the piece's corners, four at most, lie in the whole primitive.
+patch in vec3 domeShares[4];

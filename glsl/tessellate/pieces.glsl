@@ -1,7 +1,8 @@
-// How many pieces an edge needs: what is between its chords is off by at most R k a^2 / 6 pixels.
-// domeDetail = sqrt(R k / (6 tolerance)). What the CPU leaves whole shall not come out as two by rounding.
-uniform float domeDetail;
+// An edge's pieces. One that has to be cut is cut finer than the tolerance asks: else a wall's picture within it
+// is worse than a cube map's. What the CPU leaves whole shall not come out as two by rounding.
+const float DOME_FINER = 1.15;
 
 float piecesOf(vec3 a, vec3 b, float angle) {
-    return clamp(ceil(angle * domeDetail - 0.001), 1.0, DOME_MOST_PIECES);
+    float need = needOf(a, b, angle);
+    return need <= 1.001 ? 1.0 : min(ceil(DOME_FINER * need), DOME_MOST_PIECES);
 }

@@ -74,6 +74,32 @@ def test_pieces_keep_the_corners_and_say_where_they_lie_between(corners):
     assert weights.sum(1) == pytest.approx(np.ones(len(weights)))
 
 
+@given(st.integers(0, 100_000))
+def test_a_parallelogram_is_cut_into_quads_that_cover_it_once(seed):
+    rng = np.random.default_rng(seed)
+    corner, across, up = rng.normal(size=(3, 3)) * 10
+    whole = np.array([corner, corner + across, corner + across + up, corner + up])
+    run = split(whole, 4, color=np.eye(4))
+    p = places(run).astype(float).reshape(-1, 4, 3)
+    assert edge_angles(run, 4).max() <= WIDEST + 1e-4
+    assert (run.attributes["color"].reshape(-1, 4, 4) == np.eye(4)).all()
+    area = np.cross(across, up)
+    size = np.linalg.norm(area)
+    areas = np.cross(p[:, 2] - p[:, 0], p[:, 3] - p[:, 1]) @ area / size / 2
+    assert areas.min() > -1e-4 * size  # none is turned round
+    assert areas.sum() == pytest.approx(size, rel=1e-3)
+    s, t = run.attributes["weights"][:, :2].T
+    assert corner + s[:, None] * across + t[:, None] * up == pytest.approx(places(run), abs=1e-4)
+
+
+def test_a_parallelogram_and_a_triangle_share_every_vertex_of_their_edge():
+    a, b = np.array([-50, -1, -50], np.float32), np.array([50, -1, 50], np.float32)
+    left = split([a, b, [40, -1, 90], [-60, -1, -10]], 4)
+    right = split([b, a, [50, -1, -50]], 3)
+    assert len(on_edge(left, a, b)) > 2
+    assert on_edge(left, a, b) == on_edge(right, a, b)
+
+
 def test_what_has_no_finite_place_is_left_out_and_nothing_else():
     run = split([[0, 0, -1], [1, 0, -2], [np.nan, 0, -1], [0, 0, -9], [1, 0, -9], [0, 1, -9]], 3)
     assert len(run.positions) == 3

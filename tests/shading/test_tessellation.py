@@ -10,8 +10,16 @@ from tests.shading.test_compose import every_mapping, every_scene
 
 
 @pytest.mark.parametrize("split", [False, True], ids=["whole", "split"])
-@pytest.mark.parametrize("kind", ["triangles", "lines"])
-@pytest.mark.parametrize("method", ["tessellate", "geometry"])
+@pytest.mark.parametrize(
+    ("method", "kind"),
+    [
+        ("tessellate", "quads"),
+        ("tessellate", "triangles"),
+        ("tessellate", "lines"),
+        ("geometry", "triangles"),
+        ("geometry", "lines"),
+    ],
+)
 def test_every_mapping_and_every_scene_compiles(driver, method, kind, split):
     patch = Patch(kind, method, split=split)
     recipes = {Recipe(m, patch=patch) for m in every_mapping() if m.method == "vertex"}
