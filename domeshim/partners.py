@@ -5,8 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
     from contextlib import AbstractContextManager
 
+    from domeshim.draw.flat_pixels import Bitmap
     from domeshim.draw.shape import Shape
     from domeshim.state.region import Region
     from domeshim.window.contract import Window
@@ -51,6 +53,9 @@ class Dome(Protocol):
 
     def draw_shape(self, shape: Shape) -> bool:
         """Draw a shape that is in memory; False where it cannot be drawn now."""
+
+    def write(self, bitmaps: Sequence[Bitmap]) -> bool:
+        """Draw bitmaps one after the other; False where the caller must do it by glBitmap."""
 
     def frame_ending(self, window: Window) -> None:
         """The picture is complete: what must still be drawn over it is drawn now."""

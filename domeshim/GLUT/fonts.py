@@ -9,10 +9,14 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 from OpenGL import GL
 
+from domeshim import session as sessions
+from domeshim.draw.flat_pixels import Bitmap
 from domeshim.GLUT.typefaces.load import typefaces
 from domeshim.GLUT.typefaces.names import FONTS, font_of
 
@@ -137,6 +141,9 @@ def glutStrokeHeight(font: object) -> float:
 
 def _draw_bitmaps(face: BitmapFace, lines: Sequence[bytes]) -> None:
     """Draw lines of text, each next one below the start of the one before."""
+    dome = sessions.current().dome
+    if dome is not None and dome.write(_bitmaps(face, lines)):
+        return
     GL.glPushClientAttrib(GL.GL_CLIENT_PIXEL_STORE_BIT)
     try:
         for setting in _UNPACKING:
@@ -152,6 +159,25 @@ def _draw_bitmaps(face: BitmapFace, lines: Sequence[bytes]) -> None:
                 GL.glBitmap(glyph.width, face.height, *face.origin, glyph.width, 0, glyph.pixels)
     finally:
         GL.glPopClientAttrib()
+
+
+def _bitmaps(face: BitmapFace, lines: Sequence[bytes]) -> list[Bitmap]:
+    """The same as bitmaps one after the other."""
+    found: list[Bitmap] = []
+    for number, line in enumerate(lines):
+        if number > 0:
+            back = sum(face.glyphs[code].width for code in lines[number - 1])
+            found.append(Bitmap(0, 0, (0, 0), (-back, -face.height), b""))
+        found += [_bitmap(face, code) for code in line]
+    return found
+
+
+@lru_cache(maxsize=2048)
+def _bitmap(face: BitmapFace, code: int) -> Bitmap:
+    glyph = face.glyphs[code]
+    rows = np.frombuffer(glyph.rows, np.uint8).reshape(face.height, -1)
+    pixels = np.unpackbits(rows, axis=1)[:, : glyph.width].tobytes()
+    return Bitmap(glyph.width, face.height, face.origin, (glyph.width, 0), pixels)
 
 
 _UNPACKING = (

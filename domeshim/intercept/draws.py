@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import cached_property, partial
 from typing import TYPE_CHECKING
@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from domeshim.draw.extent import Extent
-from domeshim.draw.listed import ListedDraw, ListedMesh
+from domeshim.draw.listed import ListedBitmap, ListedDraw, ListedMesh
 from domeshim.draw.materials import material_run
 from domeshim.draw.subdivide import at_once
 from domeshim.draw.submit import Submitter
@@ -21,6 +21,7 @@ from domeshim.record.runs import Run
 from domeshim.state.context import DomeContext
 
 if TYPE_CHECKING:
+    from domeshim.draw.flat_pixels import Bitmap
     from domeshim.draw.shape import Shape
     from domeshim.intercept.window_dome import WindowDome
     from domeshim.record.arrays import Elements
@@ -146,6 +147,13 @@ class Draws:
         lists.keep_mesh(lambda: ListedDraw(context, lists.compile(draw), at_raster=at_raster, curve=curve))
         return True
 
+    def list_bitmap(self, bitmap: Bitmap, draw: Callable[[], object]) -> None:
+        """Put a bitmap into the display list that is being built; draw: GL's own glBitmap of it."""
+        current = self._current
+        assert current is not None
+        context, lists = current.context, current.lists
+        lists.keep_mesh(lambda: ListedBitmap(context, lists.compile(draw), bitmap))
+
     def draw_arrays(self, mode: int, indices: range | Elements) -> bool:
         """Draw from the program's vertex arrays where that needs more than GL's own draw; False where not."""
         current = self._current
@@ -209,6 +217,16 @@ class Draws:
         else:
             current.submitter.draw_as_needed(shape.run, context, subdivision)
         return True
+
+    def write(self, bitmaps: Sequence[Bitmap]) -> bool:
+        """Draw bitmaps one after the other on the panel; False where they do not belong there now."""
+        current = self._current
+        if current is None or self.building is not None or self.recorder.block is not None:
+            return False
+        if self.recorder.pending():
+            self.flush()
+        self._session.drawing()
+        return current.context.panel.due and current.context.panel.write(bitmaps)
 
     def read_elements(self, count: int, kind: int, indices: object) -> Elements:
         """glDrawElements' indices, wherever they lie."""

@@ -209,6 +209,8 @@ _SPECIAL: Mapping[str, Maker] = {
     "glRenderMode": render_mode,
     "glEvalMesh1": evaluated_curve,
     "glClear": kept_in_lists(pixels.clear),
+    "glBitmap": pixels.bitmap,
+    "glDrawPixels": pixels.image,
     "glCopyPixels": pixels.copied,
     "glAccum": kept_in_lists(read),
     "glGetHandle": read,

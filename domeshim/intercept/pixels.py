@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from domeshim.draw.flat_pixels import Bitmap
 from domeshim.intercept.dome import Dome
 
 if TYPE_CHECKING:
@@ -28,7 +29,7 @@ def raster_position(dome: Dome, original: Call) -> Call:
 
 
 def at_raster(dome: Dome, original: Call) -> Call:
-    """glBitmap, glDrawPixels."""
+    """A draw at the raster position, in the dome's own pixels."""
 
     def call(*args: Any, **named: Any) -> Any:
         context = dome.context
@@ -39,6 +40,57 @@ def at_raster(dome: Dome, original: Call) -> Call:
         return None if dome.listed(draw, at_raster=True) else context.draw_at_raster(draw)
 
     return call
+
+
+def bitmap(dome: Dome, original: Call) -> Call:
+    """glBitmap: on the panel as large as it was in the window, elsewhere in the dome's own pixels."""
+
+    draw = at_raster(dome, original)
+
+    def call(width: int, height: int, *more: Any) -> Any:
+        context, building = dome.context, dome.building
+        if context is None or len(more) != 5 or (building is None and not context.panel.due):
+            return draw(width, height, *more)
+        try:
+            read = Bitmap.read(context.driver, width, height, more[:4], more[4])
+        except ValueError:
+            return draw(width, height, *more)
+        if building is not None:
+            return dome.list_bitmap(read, partial(original, width, height, *more))
+        dome.drawing()
+        return None if context.panel.write((read,)) else draw(width, height, *more)
+
+    return call
+
+
+def image(dome: Dome, original: Call) -> Call:
+    """glDrawPixels: likewise, where it draws colours."""
+
+    draw = at_raster(dome, original)
+
+    def call(width: int, height: int, kind: int, *more: Any) -> Any:
+        context = dome.context
+        on_panel = context is not None and dome.building is None and context.panel.due
+        if context is None or not on_panel or kind in _NO_COLOURS or len(more) != 2:
+            return draw(width, height, kind, *more)
+        dome.drawing()
+        load = partial(_texture_image, width, height, kind, *more)
+        return None if context.panel.image(width, height, load) else draw(width, height, kind, *more)
+
+    return call
+
+
+_NO_COLOURS = frozenset((0x1900, 0x1901, 0x1902, 0x84F9))
+"""Colour indices, stencil, depth, and both."""
+
+
+def _texture_image(width: int, height: int, kind: int, values: int, data: Any) -> None:
+    from OpenGL import GL  # noqa: PLC0415 - the program has imported it
+
+    GL.glTexImage2D(_TEXTURE_2D, 0, _RGBA8, width, height, 0, kind, values, data)
+
+
+_TEXTURE_2D, _RGBA8 = 0x0DE1, 0x8058
 
 
 def copied(dome: Dome, original: Call) -> Call:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -22,15 +23,17 @@ from domeshim.shading.recipe import Patch, Recipe, Scene
 from domeshim.state.binding import Binding
 from domeshim.state.dresser import Dresser
 from domeshim.state.own_programs import OwnPrograms
+from domeshim.state.panel_pixels import PanelPixels
 from domeshim.state.perspective import Matrix
 from domeshim.state.placement import MainView, Placement, Placer
 from domeshim.state.raster import Point, RasterPoints
 from domeshim.state.scene import GROUPS, SceneState
+from domeshim.state.scissor import edges_of
 from domeshim.state.subdividing import Subdividing
 from domeshim.state.views import View
 from domeshim.state.whereabouts import MODELVIEW, PROJECTION, Seen, Whereabouts
 from domeshim.state.window_pixels import WindowPixels
-from domeshim.window.frame import Frame
+from domeshim.window.frame import Frame, Rectangle
 
 _TEXTURE, _RASTERIZER_DISCARD = 0x1702, 0x8C89
 _PATCH_VERTICES, _CURRENT_AND_LIGHTING_BITS = 0x8E72, 0x0041
@@ -58,12 +61,15 @@ class DomeContext:
         """Draws are coloured by how finely they are subdivided."""
         self.binding = Binding(self)
         self.pixels = WindowPixels(self, options)
+        self.panel = PanelPixels(self, options)
         self.subdividing = Subdividing(self, options)
         self._bypasses: set[str] = set()
         self._passing = False
         self._said: set[str] = set()
         self._where = Whereabouts(driver, self.placer, self.own)
         self._raster = False
+        self._flat: Scene | None = None
+        """What the last draw onto the panel, in pixels of the program's window, went through."""
         self._dresser = Dresser(self, options)
         self._worn = self._dresser.worn
         self.canvas = canvas_of(driver, options, frame, self.lens, self.orientation, self.say_once)
@@ -189,10 +195,11 @@ class DomeContext:
         if self._passing:
             _ = self.seen  # later pictures may go by the perspectives of this one
             return
-        if self._worn.dressing is None or self._stale or patch != self._patch or raster != self._raster:
+        changed = patch != self._patch or raster != self._raster or self._flat is not None
+        if changed or self._worn.dressing is None or self._stale:
             self._uncover()
             self.go_on()
-            self._patch, self._raster = patch, raster
+            self._patch, self._raster, self._flat = patch, raster, None
             self._dresser.put_on(*self._look(), patch, raster=raster)
             if patch is not None and patch.method == "tessellate":
                 self.driver.glPatchParameteri(_PATCH_VERTICES, patch.corners)
@@ -214,6 +221,25 @@ class DomeContext:
             self._worn.show(views[-1])
         return call()
 
+    def draw_flat(self, call: Callable[[Rectangle], object], scene: Scene) -> None:
+        """Make a draw flat onto the panel, in a viewport that call is told: the window, and what is beyond.
+
+        scene: what the fixed pipeline does for it; the same object for the same.
+        """
+        if self._flat is not scene or self._worn.dressing is None or self._stale:
+            self._uncover()
+            self.go_on()
+            self._patch, self._raster, self._flat = None, False, scene
+            seen, _ = self._look()
+            around = self.pixels.around(seen.viewport)
+            placement, edges = self.placer.panel(around, self.frame), edges_of(seen.scissor, around)
+            self._dresser.put_on(replace(seen, placement=placement, edges=edges), scene, None, raster=False)
+        viewport = self.pixels.around(self.seen.viewport)
+        for view in self._views_now or (None,):
+            if view is not None:
+                self._worn.show(view)
+            call(viewport)
+
     def draw_at_raster(self, call: Callable[[], object], *, sets: bool = False) -> Any:
         """Make a call that draws at the raster position, or sets it, in each view; return its answer."""
         self.dress(raster=True)
@@ -228,6 +254,10 @@ class DomeContext:
         if self._raster_points.put(points):
             return
         self.driver.glRasterPos2f(0.0, 0.0)  # goes nowhere
+
+    def move_raster(self, points: Sequence[Point | None]) -> None:
+        """Move the raster position on, to places of the views in the framebuffer."""
+        self._raster_points.move(points)
 
     @property
     def several(self) -> bool:

@@ -125,6 +125,10 @@ class Placer:
             return View(p, (x, y, width, height))
         return self.main.view.moved(x, y)
 
+    def panel(self, viewport: Rectangle, frame: Frame) -> Placement:
+        """Where what is drawn flat in a viewport belongs."""
+        return self._flat(viewport, frame)
+
     @property
     def has_perspective(self) -> bool:
         """The program has drawn in perspective: what it draws flat is a HUD."""

@@ -49,6 +49,10 @@ class RasterPoints:
             self._known[now] = tuple(points)
         return True
 
+    def move(self, points: Sequence[Point | None]) -> None:
+        """Set the position to given places of the views, with the colour that it has."""
+        self._remember(points)
+
     def draw(self, views: Sequence[View], call: Callable[[], object]) -> Any:
         """Make a call that draws at the position, and may move it on."""
         now = self._now()

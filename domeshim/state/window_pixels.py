@@ -38,6 +38,13 @@ class WindowPixels:
         """A place in the program's window is another one in the frame."""
         return not self._context.compiling and not self._context.bypassed
 
+    def around(self, viewport: Rectangle) -> Rectangle:
+        """The program's window, and what of a viewport is beyond it."""
+        x, y, width, height = viewport
+        whole_width, whole_height = self._context.frame.program_size
+        left, bottom = min(x, 0), min(y, 0)
+        return left, bottom, max(x + width, whole_width) - left, max(y + height, whole_height) - bottom
+
     def positions(self, x: float, y: float, depth: float) -> list[Point | None]:
         """Where a point of the program's window, and the depth there, are in each view; None: hidden."""
         context = self._context

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from OpenGL import GL
 
+from domeshim.draw.flat_pixels import Bitmap
 from domeshim.GLUT import fonts
 from domeshim.GLUT.typefaces import freeglut, load
 from domeshim.GLUT.typefaces.faces import BitmapFace, Typefaces
@@ -226,3 +227,19 @@ def test_text_in_a_display_list(screen: None) -> None:
     GL.glRasterPos2f(5, 80)
     GL.glCallList(number)
     assert bytes(GL.glReadPixels(0, 0, 200, 100, GL.GL_RGB, GL.GL_UNSIGNED_BYTE)) == wanted
+
+
+def test_on_the_dome_text_is_its_bitmaps_one_after_the_other(monkeypatch: pytest.MonkeyPatch) -> None:
+    written: list[Bitmap] = []
+    dome = SimpleNamespace(write=lambda bitmaps: bool(written.extend(bitmaps)) or True)
+    monkeypatch.setattr(fonts.sessions, "current", lambda: SimpleNamespace(dome=dome))
+    fonts.glutBitmapString(fonts.GLUT_BITMAP_HELVETICA_18, b"Hi\nj")
+    face = load.typefaces().bitmaps[fonts.GLUT_BITMAP_HELVETICA_18.name]
+    widths = [face.glyphs[ord(letter)].width for letter in "Hij"]
+    moves = [(widths[0], 0), (widths[1], 0), (-widths[0] - widths[1], -face.height), (widths[2], 0)]
+    assert [bitmap.move for bitmap in written] == moves
+    tall = np.frombuffer(written[0].pixels, np.uint8).reshape(face.height, widths[0])
+    rows = np.frombuffer(face.glyphs[ord("H")].rows, np.uint8).reshape(face.height, -1)
+    assert (tall == np.unpackbits(rows, axis=1)[:, : widths[0]]).all()
+    assert tall.any()
+    assert written[0].origin == face.origin

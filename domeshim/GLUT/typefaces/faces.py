@@ -24,7 +24,7 @@ class BitmapGlyph:
         return (ctypes.c_ubyte * len(self.rows)).from_buffer_copy(self.rows)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class BitmapFace:
     """256 bitmaps of one height, in pixels; origin is the baseline's start, from each bitmap's lower left."""
 
