@@ -242,7 +242,7 @@ glutMainLoop()
 """
 
 
-def modules_of_a_program(more="pass"):
+def modules_of_a_program(more):
     """What a GLUT program has loaded after its first picture; more: what else it draws."""
     command = [sys.executable, "-c", GLUT_PROGRAM.format(more=more)]
     root = Path(__file__).parents[2]
@@ -251,7 +251,7 @@ def modules_of_a_program(more="pass"):
 
 def test_a_simple_program_loads_no_module_that_it_does_not_need():
     assert [name for name in LEFT_OUT if importlib.util.find_spec(name) is None] == []
-    loaded = modules_of_a_program()
+    loaded = modules_of_a_program("import gc; assert gc.isenabled(), 'left off after the imports'")
     assert "domeshim.draw.rim" in loaded
     assert sorted(loaded.intersection(LEFT_OUT)) == []
 
