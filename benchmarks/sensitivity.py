@@ -15,7 +15,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from domeshim.measure.comparison import Comparison, Program, Run
+from domeshim.measure.apart import Program
+from domeshim.measure.comparison import Comparison, Run
 from domeshim.measure.difference import Difference
 from domeshim.measure.sheet import write_sheet
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 if TYPE_CHECKING:
-    from domeshim.measure.comparison import Program
+    from domeshim.measure.apart import Program
     from domeshim.measure.match import Picture
 
 STORED = "dome_pictures"
@@ -137,7 +137,8 @@ class DomePictures:
     ) -> dict[int, Picture]:
         """The dome's pictures by number; fails the test where there are none."""
         __tracebackhide__ = True
-        from domeshim.measure.comparison import Comparison, NoExposureError  # noqa: PLC0415 - as above
+        from domeshim.measure.apart import NoExposureError  # noqa: PLC0415 - as above
+        from domeshim.measure.comparison import Comparison  # noqa: PLC0415 - as above
 
         comparison = Comparison(self._program(program, args), frames, size, _texts(settings))
         why = ""
@@ -152,7 +153,7 @@ class DomePictures:
     @staticmethod
     def _program(program: str | Path, args: tuple[str, ...]) -> Program:
         from domeshim.extras import require  # noqa: PLC0415 - see the module's docstring
-        from domeshim.measure.comparison import Program  # noqa: PLC0415
+        from domeshim.measure.apart import Program  # noqa: PLC0415
 
         require("scipy", "measure", "the fixture dome")
         path = Path(program).absolute()

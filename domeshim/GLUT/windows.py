@@ -56,22 +56,23 @@ def _span(start: int, length: int, whole: int) -> tuple[int, int]:
 
 def glutDestroyWindow(window: Any) -> None:
     """Close the window and those inside it once this round of the main loop is over."""
-    state = initialised_state("glutDestroyWindow")
-    number = integer("glutDestroyWindow", "window", window)
-    if number in state.windows:
-        mark_closed(state, state.windows[number])
-    else:
-        state.warn(f"glutDestroyWindow(): window ID {number} not found!")
+    if (found := _numbered("glutDestroyWindow", window)) is not None:
+        mark_closed(glut_state(), found)
 
 
 def glutSetWindow(window: Any) -> None:
     """Make the window of that number current."""
-    state = initialised_state("glutSetWindow")
-    number = integer("glutSetWindow", "window", window)
-    if number in state.windows:
-        make_current(state, state.windows[number])
-    else:
-        state.warn(f"glutSetWindow(): window ID {number} not found!")
+    if (found := _numbered("glutSetWindow", window)) is not None:
+        make_current(glut_state(), found)
+
+
+def _numbered(function: str, window: Any) -> GlutWindow | None:
+    """Return the window of that number; where there is none, warn in the function's name as freeglut does."""
+    state = initialised_state(function)
+    number = integer(function, "window", window)
+    if number not in state.windows:
+        state.warn(f"{function}(): window ID {number} not found!")
+    return state.windows.get(number)
 
 
 def glutGetWindow() -> int:
@@ -215,12 +216,8 @@ def glutPostRedisplay(*_more: object) -> None:
 
 def glutPostWindowRedisplay(window: Any) -> None:
     """Have that window's display callback called in the next round of the main loop."""
-    state = initialised_state("glutPostWindowRedisplay")
-    number = integer("glutPostWindowRedisplay", "window", window)
-    if number in state.windows:
-        state.windows[number].redisplay = True
-    else:
-        state.warn(f"glutPostWindowRedisplay(): window ID {number} not found!")
+    if (found := _numbered("glutPostWindowRedisplay", window)) is not None:
+        found.redisplay = True
 
 
 def glutSetWindowData(data: Any) -> None:

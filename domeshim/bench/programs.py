@@ -15,7 +15,8 @@ from domeshim.bench.methods import Method
 from domeshim.bench.results import Cost, Row, Seconds, Seen
 from domeshim.bench.timekeeper import Errand
 from domeshim.errors import DomeError
-from domeshim.measure.comparison import Comparison, Program
+from domeshim.measure.apart import Program
+from domeshim.measure.comparison import Comparison
 from domeshim.measure.piped import Piped
 
 _WARM = 3

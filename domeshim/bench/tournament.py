@@ -17,7 +17,7 @@ from domeshim.bench.machine import machine
 from domeshim.bench.methods import Method, asked, tolerances_of, usual
 from domeshim.bench.results import Results, Row
 from domeshim.bench.scenes import Scene
-from domeshim.measure.comparison import Program
+from domeshim.measure.apart import Program
 from domeshim.options import Options
 
 

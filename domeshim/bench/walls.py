@@ -5,10 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from domeshim.bench.meshes import Bytes, Floats, Mesh, grid
+from domeshim.measure.room import FACES, cast
 
 TEXELS = 512
-LOW, HIGH = np.array([-2.0, -1.5, -3.0]), np.array([3.0, 2.0, 1.5])
-"""The room's corners; the eye is at the origin."""
 _FACETS, _ROWS, _RADIUS, _HEIGHT = 50, 50, 10.0, 12.0
 """The panorama: quads around and up, the distance of their corners from the axis, half the height."""
 
@@ -27,34 +26,17 @@ def painted(surface: int) -> Bytes:
 
 def room() -> list[Mesh]:
     """Six quads around the eye, one wall each."""
-    square = np.array([(0, 0), (1, 0), (1, 1), (0, 1)], float)
-    walls = []
-    for face in range(6):
-        axis, across, up = face // 2, (face // 2 + 1) % 3, (face // 2 + 2) % 3
-        corners = np.empty((4, 3))
-        corners[:, axis] = (LOW, HIGH)[face % 2][axis]
-        for way, share in ((across, square[:, 0]), (up, square[:, 1])):
-            corners[:, way] = LOW[way] + share * (HIGH - LOW)[way]
-        quad = np.arange(4, dtype=np.uint32)[None]
-        walls.append(
-            Mesh(corners.astype(np.float32), quad, texcoords=square.astype(np.float32), texture=painted(face))
-        )
-    return walls
+    square = np.array([(0, 0), (1, 0), (1, 1), (0, 1)], np.float32)
+    quad = np.arange(4, dtype=np.uint32)[None]
+    return [
+        Mesh(corners.astype(np.float32), quad, texcoords=square, texture=painted(face))
+        for face, corners in enumerate(FACES)
+    ]
 
 
 def look_in_room(directions: Floats) -> Floats:
     """(..., 3) directions -> (..., 3) colours, 0 to 1, of the room's walls."""
-    with np.errstate(divide="ignore"):
-        ways = np.where(directions > 0, HIGH, LOW) / np.where(directions == 0, 1e-300, directions)
-    axis = ways.argmin(-1)
-    points = directions * np.take_along_axis(ways, axis[..., None], -1)
-    share = (points - LOW) / (HIGH - LOW)
-    seen = np.zeros(directions.shape)
-    for face in range(6):
-        k = face // 2
-        here = (axis == k) & ((directions[..., k] > 0) == (face % 2 == 1))
-        seen[here] = colours(face, share[here][:, (k + 1) % 3], share[here][:, (k + 2) % 3])
-    return seen
+    return cast(directions, colours)
 
 
 def panorama() -> Mesh:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import click
 
-from domeshim.cli.settings import AS_TYPED, dome_options, options_given, parse_window_size, positive
+from domeshim.cli.settings import AS_TYPED, as_module, dome_options, options_given, parse_window_size, timeout
 from domeshim.errors import OptionError
 from domeshim.extras import require
 
@@ -57,8 +57,8 @@ def _sizes(_context: click.Context, _parameter: click.Parameter, text: str) -> t
 @click.option("--peers/--no-peers", default=True, help="VTK's panoramic pass as well, if vtk is installed.")
 @click.option("--json", "as_json", is_flag=True, help="Print JSON instead of tables.")
 @click.option("--quick", is_flag=True, help="512 pixels, 5 rounds, 8 edges.")
-@click.option("--timeout", **positive(60.0), help="Give up after so many real seconds without a picture.")
-@click.option("-m", "module", is_flag=True, help="PROG is a module's name, as for python -m.")
+@timeout()
+@as_module
 @dome_options(_FIELDS)
 @click.argument("prog", required=False)
 @click.argument("args", nargs=-1, type=click.UNPROCESSED)
@@ -92,7 +92,7 @@ def bench(
     os.environ["PYOPENGL_PLATFORM"] = "egl"  # before OpenGL is imported
     from domeshim.bench.scenes import SCENES  # noqa: PLC0415 - once the options are known to be good
     from domeshim.bench.tournament import Wish, program_tournament, tournament  # noqa: PLC0415
-    from domeshim.measure.comparison import Program  # noqa: PLC0415
+    from domeshim.measure.apart import Program  # noqa: PLC0415
 
     known = {scene.name: scene for scene in SCENES}
     for name in names:

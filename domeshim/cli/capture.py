@@ -17,6 +17,7 @@ from domeshim.cli.settings import (
     positive,
     program,
     size,
+    timeout,
 )
 from domeshim.measure.capture import Shot, take
 from domeshim.program import run_program
@@ -28,7 +29,7 @@ from domeshim.program import run_program
 @click.option("--size", default="1024", show_default=True, callback=size, help="S or WxH in pixels.")
 @click.option("--output", required=True, type=click.Path(path_type=Path, dir_okay=False), help="A PNG file.")
 @click.option("--fps", **positive(60.0))
-@click.option("--timeout", **positive(60.0), help="Give up after so many real seconds without a picture.")
+@timeout()
 @dome_options((*FIELDS_OFF_SCREEN, "debug"))
 @program
 def capture(prog: str, args: tuple[str, ...], module: bool, mode: str, **given: Any) -> Job:

@@ -12,12 +12,14 @@ from domeshim.cli.settings import (
     AS_TYPED,
     FIELDS_OFF_SCREEN,
     FINISHES,
+    as_json,
     dome_options,
     in_own_colours,
     options_given,
     parse_window_size,
     positive,
     program,
+    timeout,
 )
 from domeshim.errors import OptionError
 from domeshim.extras import require
@@ -53,9 +55,9 @@ def _sizes(_context: click.Context, _parameter: click.Parameter, text: str) -> l
     help="Hold the dome's pictures against those in this folder as well.",
 )
 @click.option("--update", is_flag=True, help="Store the dome's pictures in the baseline's folder.")
-@click.option("--json", "as_json", is_flag=True, help="Print JSON instead of text.")
+@as_json
 @click.option("--fps", **positive(60.0))
-@click.option("--timeout", **positive(60.0), help="Give up after so many real seconds without a picture.")
+@timeout()
 @dome_options(_FIELDS)
 @program
 def compare(
@@ -78,8 +80,9 @@ def compare(
     perspective. Exit status: 0 they are alike, 1 they differ, 2 it could not be told, for the reason given.
     """
     require("scipy", "measure", "domeshim compare")
+    from domeshim.measure.apart import Program  # noqa: PLC0415
     from domeshim.measure.baseline import Baseline  # noqa: PLC0415 - once it is known to be installed
-    from domeshim.measure.comparison import Comparison, Program  # noqa: PLC0415
+    from domeshim.measure.comparison import Comparison  # noqa: PLC0415
     from domeshim.measure.verdicts import Report, judged  # noqa: PLC0415
 
     if update and baseline is None:

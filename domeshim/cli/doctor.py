@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from domeshim.cli.settings import AS_TYPED, in_own_colours, options_given, positive
+from domeshim.cli.settings import AS_TYPED, as_json, as_module, in_own_colours, options_given, timeout
 
 if TYPE_CHECKING:
     from domeshim.diagnosis.findings import Finding
@@ -21,9 +21,9 @@ _WIDTH = 100
 
 @click.command(context_settings=AS_TYPED)
 @click.option("--frame", type=click.IntRange(min=1), default=1, show_default=True, help="PROG's picture.")
-@click.option("--json", "as_json", is_flag=True, help="Print JSON instead of text.")
-@click.option("--timeout", **positive(60.0), help="Give up after so many real seconds without a picture.")
-@click.option("-m", "module", is_flag=True, help="PROG is a module's name, as for python -m.")
+@as_json
+@timeout()
+@as_module
 @click.argument("prog", required=False)
 @click.argument("args", nargs=-1, type=click.UNPROCESSED)
 def doctor(
@@ -35,7 +35,7 @@ def doctor(
     """
     from domeshim.diagnosis.findings import findings  # noqa: PLC0415 - numpy and more, for this command alone
     from domeshim.diagnosis.machine import methods, screens  # noqa: PLC0415
-    from domeshim.measure.comparison import NoExposureError, Program  # noqa: PLC0415
+    from domeshim.measure.apart import NoExposureError, Program  # noqa: PLC0415
 
     in_own_colours(options_given(True, {}), "doctor")  # a malformed variable is told before anything runs
     tried = screens()

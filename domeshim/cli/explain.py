@@ -11,21 +11,23 @@ import click
 from domeshim.cli.settings import (
     AS_TYPED,
     FIELDS_OFF_SCREEN,
+    as_json,
     dome_options,
     in_own_colours,
     options_given,
     positive,
     program,
     size,
+    timeout,
 )
 
 
 @click.command(context_settings=AS_TYPED)
 @click.option("--frame", type=click.IntRange(min=1), default=1, show_default=True, help="1 is the first.")
 @click.option("--size", default="512", show_default=True, callback=size, help="S or WxH in pixels.")
-@click.option("--json", "as_json", is_flag=True, help="Print JSON instead of text.")
+@as_json
 @click.option("--fps", **positive(60.0))
-@click.option("--timeout", **positive(60.0), help="Give up after so many real seconds without a picture.")
+@timeout()
 @dome_options(FIELDS_OFF_SCREEN)
 @program
 def explain(
@@ -42,7 +44,7 @@ def explain(
     """Tell what a program's draws need on the dome: lights, textures, subdivision, and what is left out."""
     from domeshim.diagnosis.report import explained  # noqa: PLC0415 - numpy and more, for this command alone
     from domeshim.diagnosis.watching import watched  # noqa: PLC0415
-    from domeshim.measure.comparison import Program  # noqa: PLC0415
+    from domeshim.measure.apart import Program  # noqa: PLC0415
 
     in_own_colours(options_given(True, given), "explain")  # a malformed one is told before anything runs
     settings: dict[str, Any] = {field: text for field, text in given.items() if text is not None}

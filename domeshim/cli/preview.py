@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from domeshim import startup
-from domeshim.cli.settings import AS_TYPED, Job, options_given, positive, size
+from domeshim.cli.settings import AS_TYPED, Job, as_module, options_given, positive, size
 from domeshim.errors import DomeError, OptionError
 from domeshim.options import settings_in_environment
 from domeshim.program import run_program
@@ -53,7 +53,7 @@ def numbers(_context: click.Context, parameter: click.Parameter, text: str) -> t
 @click.option("--angle", type=click.FloatRange(10, 130), default=75.0, show_default=True, help="Of the view.")
 @click.option("--fps", **positive(30.0), help="Of a folder's pictures.")
 @click.option("--frame", type=click.IntRange(min=1), default=1, show_default=True, help="With --output.")
-@click.option("-m", "module", is_flag=True, help="PROG is a module's name, as for python -m.")
+@as_module
 @click.argument("what", metavar="PROG|PICTURE|DIR")
 @click.argument("args", nargs=-1, type=click.UNPROCESSED)
 def preview(what: str, args: tuple[str, ...], **given: Any) -> Job:

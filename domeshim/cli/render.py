@@ -13,10 +13,12 @@ from domeshim.cli.settings import (
     AS_TYPED,
     FIELDS_OFF_SCREEN,
     Job,
+    as_module,
     dome_options,
     in_own_colours,
     options_given,
     positive,
+    timeout,
 )
 from domeshim.errors import OptionError
 from domeshim.options import Options, settings_in_environment
@@ -60,9 +62,9 @@ _SIDE = click.IntRange(min=1, max=LARGEST_SIDE)
 @click.option("--cluster", metavar="ADDRESS", help="The workers of a running Dask scheduler.")
 @click.option("--chunk", type=click.IntRange(min=1), default=24, show_default=True,
               help="Pictures that a worker makes at a time.")  # fmt: skip
-@click.option("--timeout", **positive(120.0), help="Give up after so many real seconds without a picture.")
+@timeout(120.0)
 @dome_options(_FIELDS)
-@click.option("-m", "module", is_flag=True, help="PROG is a module's name, as for python -m.")
+@as_module
 @click.argument("prog", required=False)
 @click.argument("args", nargs=-1, type=click.UNPROCESSED)
 def render(folder: Path | None, prog: str | None, args: tuple[str, ...], **given: Any) -> Job:

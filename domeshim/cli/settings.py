@@ -52,7 +52,7 @@ def program(command: Command) -> Command:
     for argument in (
         click.argument("args", nargs=-1, type=click.UNPROCESSED),
         click.argument("prog"),
-        click.option("-m", "module", is_flag=True, help="PROG is a module's name, as for python -m."),
+        as_module,
     ):
         command = argument(command)
     return command
@@ -77,6 +77,16 @@ def in_own_colours(options: Options, command: str) -> Options:
             f"DOME_DEBUG={options.debug}: domeshim {command} is for a program's own colours; accepted: off"
         )
     return options
+
+
+def timeout(default: float = 60.0) -> Callable[[Command], Command]:
+    """The option --timeout."""
+    said = "Give up after so many real seconds without a picture."
+    return click.option("--timeout", **positive(default), help=said)
+
+
+as_json = click.option("--json", "as_json", is_flag=True, help="Print JSON instead of text.")
+as_module = click.option("-m", "module", is_flag=True, help="PROG is a module's name, as for python -m.")
 
 
 def parse_window_size(option: str, text: str) -> tuple[int, int]:

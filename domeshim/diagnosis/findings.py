@@ -9,7 +9,7 @@ from typing import Literal
 import numpy as np
 
 from domeshim.diagnosis.watching import Seen, watched
-from domeshim.measure.comparison import Program
+from domeshim.measure.apart import Program
 from domeshim.state.perspective import depth_range
 from domeshim.wording import counted
 

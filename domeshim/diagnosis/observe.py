@@ -12,18 +12,13 @@ import json
 import sys
 import time
 from collections.abc import Sequence
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from domeshim import startup
 from domeshim.diagnosis.calls import Calls
-from domeshim.errors import DomeError
-from domeshim.measure.capture import Photographer, photograph_by
-from domeshim.measure.exposures import Wanted
-from domeshim.measure.studio import Studio
+from domeshim.measure.capture import Photographer
+from domeshim.measure.exposures import Wanted, take_wanted
 from domeshim.options import Options
-from domeshim.program import run_program
 
 if TYPE_CHECKING:
     from domeshim.driver import Driver
@@ -134,19 +129,9 @@ class Observer(Photographer):
 def main(arguments: Sequence[str]) -> None:
     """Run the program that the command line names, and end the process."""
     wanted = Wanted.from_json(Path(arguments[0]).read_text())
-    prog, *rest = arguments[1:]
     [frame] = wanted.frames
-    try:
-        options = Options.from_environment(given={**wanted.settings, "enabled": "1"})
-        photograph_by(
-            Observer(frame, Path(wanted.folder).absolute(), wanted.timeout),
-            options,
-            partial(run_program, prog, rest, module=wanted.module),
-            Studio(wanted.size, wanted.fps, wanted.timeout),
-        )
-    except DomeError as error:
-        startup.say(str(error))
-        sys.exit(error.exit_status)
+    observer = Observer(frame, Path(wanted.folder).absolute(), wanted.timeout)
+    take_wanted(wanted, observer, arguments[1:])
 
 
 if __name__ == "__main__":

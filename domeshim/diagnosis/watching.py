@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 import json
-import subprocess
-import sys
 import tempfile
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from domeshim.measure.comparison import NoExposureError, Program
+from domeshim.measure.apart import Program, run_apart
 from domeshim.measure.exposures import Wanted
-from domeshim.measure.words import last_words
 
 
 @dataclass(frozen=True)
@@ -45,22 +42,8 @@ def watched(program: Program, frame: int, size: tuple[int, int], settings: Mappi
         wanted = Wanted(
             folder, (frame,), size, True, dict(settings), program.module, program.fps, program.timeout
         )
-        told = Path(folder) / "wanted.json"
-        told.write_text(wanted.to_json())
-        ended = subprocess.run(
-            [sys.executable, "-m", "domeshim.diagnosis.observe", str(told), program.prog, *program.args],
-            cwd=program.folder,
-            stdin=subprocess.DEVNULL,
-            capture_output=True,
-            check=False,
-        )
-        answer = Path(folder) / "seen.json"
-        if not answer.exists():
-            words = last_words(ended.stderr, ended.returncode).removeprefix("domeshim: ")
-            raise NoExposureError(f"no picture on the dome: {words}")
-        seen = json.loads(answer.read_text())
-    lines = ended.stderr.decode(errors="replace").splitlines()
-    notes = tuple(line.removeprefix("domeshim: ") for line in lines if line.startswith("domeshim: "))
+        notes = run_apart(program, "domeshim.diagnosis.observe", wanted, ["seen.json"])
+        seen = json.loads((Path(folder) / "seen.json").read_text())
     return Seen(
         seen["frame"],
         tuple(seen["size"]),

@@ -6,8 +6,6 @@ pixel wide in both, and a letter as high.
 
 from __future__ import annotations
 
-import subprocess
-import sys
 import tempfile
 from collections.abc import Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
@@ -18,33 +16,15 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from domeshim.errors import DomeError
+from domeshim.measure.apart import NoExposureError, Program, run_apart
 from domeshim.measure.difference import Difference, Verdict, difference, same_picture, unwarped
 from domeshim.measure.exposures import Exposure, Wanted
 from domeshim.measure.match import Mask, Picture
-from domeshim.measure.words import last_words
 
 LARGEST_DOME = 4096
 """The most pixels a side of the dome's picture gets."""
 LARGEST_FINER = 6144
 """The same where details of a texture ask for more."""
-
-
-class NoExposureError(DomeError):
-    """A run gave no picture; says why, as far as the program did."""
-
-
-@dataclass(frozen=True)
-class Program:
-    """What is run: a file, folder or module, its arguments, and how."""
-
-    prog: str
-    args: tuple[str, ...] = ()
-    module: bool = False
-    fps: float = 60.0
-    timeout: float = 60.0
-    folder: Path | None = None
-    """Where it is run; None: here."""
 
 
 @dataclass(frozen=True)
@@ -210,28 +190,13 @@ class Comparison:
         if side is not None:
             settings["frame"] = f"{side}x{side}"
         program, frames = self.program, frames or self.frames
-        where = "on the dome" if dome else "as on the monitor"
         with tempfile.TemporaryDirectory() as folder:
             wanted = Wanted(
                 folder, frames, self.size, dome, settings, program.module, program.fps, program.timeout
             )
-            told = Path(folder) / "wanted.json"
-            told.write_text(wanted.to_json())
-            command = [sys.executable, "-m", "domeshim.measure.exposures", str(told)]
-            ended = subprocess.run(
-                [*command, program.prog, *program.args],
-                cwd=program.folder,
-                stdin=subprocess.DEVNULL,
-                capture_output=True,
-                check=False,
-            )
-            kept = {frame: Path(folder) / f"{frame}.npz" for frame in frames}
-            if not all(path.exists() for path in kept.values()):
-                words = last_words(ended.stderr, ended.returncode).removeprefix("domeshim: ")
-                raise NoExposureError(f"no picture {where}: {words}")
-            lines = ended.stderr.decode(errors="replace").splitlines()
-            notes = tuple(line.removeprefix("domeshim: ") for line in lines if line.startswith("domeshim: "))
-            return Run({frame: Exposure.load(path) for frame, path in kept.items()}, notes)
+            files = {frame: f"{frame}.npz" for frame in frames}
+            notes = run_apart(program, "domeshim.measure.exposures", wanted, list(files.values()))
+            return Run({frame: Exposure.load(Path(folder) / name) for frame, name in files.items()}, notes)
 
 
 OVERLAID = "the program draws over each other what it sees in several perspectives"

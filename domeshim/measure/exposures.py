@@ -148,11 +148,16 @@ class Portraitist(Photographer):
 def main(arguments: Sequence[str]) -> None:
     """Run the program that the command line names, and end the process."""
     wanted = Wanted.from_json(Path(arguments[0]).read_text())
-    prog, *rest = arguments[1:]
+    take_wanted(wanted, Portraitist(wanted), arguments[1:])
+
+
+def take_wanted(wanted: Wanted, photographer: Photographer, command: Sequence[str]) -> None:
+    """Run a program, by its command line, for what a photographer wants of it, and end the process."""
+    prog, *rest = command
     try:
         options = Options.from_environment(given={**wanted.settings, "enabled": str(int(wanted.dome))})
         photograph_by(
-            Portraitist(wanted),
+            photographer,
             options,
             partial(run_program, prog, rest, module=wanted.module),
             Studio(wanted.size, wanted.fps, wanted.timeout),

@@ -6,7 +6,7 @@ import os
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -66,8 +66,11 @@ def colors(face: int, s: Floats, t: Floats) -> Floats:
     return np.asarray(0.5 + 0.4 * np.stack(waves, -1) + 0.1 * np.cos(face + np.arange(3)))
 
 
-def cast(directions: Floats) -> Floats:
-    """(..., 3) colours that rays from the origin meet in the room. directions: (..., 3)."""
+def cast(directions: Floats, paint: Callable[[int, Floats, Floats], Floats] = colors) -> Floats:
+    """(..., 3) colours that rays from the origin meet in the room.
+
+    directions: (..., 3); paint: what is painted on a wall at its texture coordinates.
+    """
     with np.errstate(divide="ignore", invalid="ignore"):
         ways = np.where(directions > 0, _HIGH, _LOW) / directions
     ways = np.where(np.isfinite(ways), ways, np.inf)
@@ -78,7 +81,7 @@ def cast(directions: Floats) -> Floats:
     for face in range(6):
         k = face // 2
         here = (axis == k) & ((directions[..., k] > 0) == (face % 2 == 1))
-        seen[here] = colors(face, share[here][:, (k + 1) % 3], share[here][:, (k + 2) % 3])
+        seen[here] = paint(face, share[here][:, (k + 1) % 3], share[here][:, (k + 2) % 3])
     return seen
 
 

@@ -9,8 +9,9 @@ from typing import Any
 
 from domeshim import __version__
 from domeshim.errors import OptionError
+from domeshim.measure.apart import Program
 from domeshim.measure.baseline import Baseline
-from domeshim.measure.comparison import Compared, Program
+from domeshim.measure.comparison import Compared
 from domeshim.measure.difference import STATUS, Difference, Verdict
 from domeshim.measure.match import SHIFT
 from domeshim.measure.sheet import write_sheet

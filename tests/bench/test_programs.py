@@ -8,7 +8,7 @@ from domeshim.bench.methods import Method
 from domeshim.bench.programs import Timed, rows
 from domeshim.bench.timekeeper import Errand
 from domeshim.errors import DomeError
-from domeshim.measure.comparison import Program
+from domeshim.measure.apart import Program
 
 PROGRAM = """
 import sys, time

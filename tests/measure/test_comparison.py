@@ -14,8 +14,9 @@ import pytest
 from PIL import Image
 
 from domeshim.errors import OptionError
+from domeshim.measure.apart import Program
 from domeshim.measure.baseline import Baseline
-from domeshim.measure.comparison import Compared, Comparison, Program, even_side
+from domeshim.measure.comparison import Compared, Comparison, even_side
 from domeshim.measure.difference import difference, unwarped
 
 ROOT = Path(__file__).resolve().parent.parent.parent

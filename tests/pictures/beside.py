@@ -200,6 +200,30 @@ def looking(gl: GL, *, depth: bool = True) -> None:
         gl.glEnable(gl.GL_DEPTH_TEST)
 
 
+def looking_around(gl: GL) -> None:
+    """A clear window, 60 degrees of perspective, the eye at the origin."""
+    gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT)
+    gl.glMatrixMode(gl.GL_PROJECTION)
+    gl.glLoadIdentity()
+    gl.gluPerspective(60, 1, 0.1, 100)
+    gl.glMatrixMode(gl.GL_MODELVIEW)
+    gl.glLoadIdentity()
+
+
+def points_at(places: Any) -> Scene:
+    """A scene of a point, three pixels wide, at each place of eye space."""
+
+    def scene(gl: GL) -> None:
+        looking_around(gl)
+        gl.glPointSize(3)
+        gl.glBegin(gl.GL_POINTS)
+        for place in places:
+            gl.glVertex3f(*place)
+        gl.glEnd()
+
+    return scene
+
+
 def sphere(gl: GL, radius: float = 0.7, slices: int = 24, stacks: int = 16) -> None:
     """A sphere of quad strips with normals and texture coordinates, by glBegin/glEnd."""
     u, v = np.linspace(0, 2 * np.pi, slices + 1), np.linspace(0, np.pi, stacks + 1)

@@ -7,7 +7,8 @@ from scipy.spatial import cKDTree
 from domeshim.lens.cylinder import Cylinder
 from domeshim.lens.orientation import Orientation
 from domeshim.lens.projection import disc_of
-from tests.pictures.test_projector import assert_spots, looking
+from tests.pictures.beside import looking_around, points_at
+from tests.pictures.test_projector import assert_spots
 
 SIZE = (600, 250)
 HALF = np.array(SIZE) / 2
@@ -45,15 +46,7 @@ def test_points_are_where_the_formula_has_them(beside, screen, turned):
     orientation = Orientation(**turned)
     points = orientation.seen(spread(screen))
 
-    def scene(gl):
-        looking(gl)
-        gl.glPointSize(3)
-        gl.glBegin(gl.GL_POINTS)
-        for point in points:
-            gl.glVertex3f(*point)
-        gl.glEnd()
-
-    picture = beside.through_dome(scene, SIZE, **surface(screen), **turned).picture
+    picture = beside.through_dome(points_at(points), SIZE, **surface(screen), **turned).picture
     assert_spots(picture, pixels(points, screen, orientation))
 
 
@@ -68,7 +61,7 @@ def test_points_are_where_the_formula_has_them(beside, screen, turned):
 )
 def test_long_lines_follow_the_formula(beside, method, screen, a, b):
     def scene(gl):
-        looking(gl)
+        looking_around(gl)
         gl.glBegin(gl.GL_LINES)
         gl.glVertex3f(*a)
         gl.glVertex3f(*b)
@@ -87,7 +80,7 @@ def test_long_lines_follow_the_formula(beside, method, screen, a, b):
 
 def room(gl):
     """Six coloured walls around the viewer, a triangle or two each."""
-    looking(gl)
+    looking_around(gl)
     gl.glBegin(gl.GL_QUADS)
     for axis in range(3):
         for side in (-1, 1):
@@ -121,14 +114,14 @@ def test_nothing_reaches_round_the_gap_behind(beside, method):
 def test_the_mouse_finds_its_place_in_the_program(beside):
     screen = Cylinder(160, -35, 35)
     with beside.window(SIZE, **surface(screen)) as finish:
-        looking(beside.dome)
+        looking_around(beside.dome)
         beside.dome.glRectf(0, 0, 1, 1)
         finish()
         dome, window = beside.session.dome, beside.session.window
         x, y = dome.program_place(window, 410.0, 80.0)
         assert dome.frame_place(window, x, y) == pytest.approx((410.0, 80.0), abs=1e-6)
     ray = screen.ray(np.array([410.0, SIZE[1] - 80.0]) / HALF - 1)
-    ahead = np.tan(np.radians(30))  # looking's own 60 degrees
+    ahead = np.tan(np.radians(30))  # looking_around's own 60 degrees
     assert (x / HALF[0] - 1, 1 - y / HALF[1]) == pytest.approx(ray[:2] / -ray[2] / ahead, abs=1e-6)
 
 
@@ -136,7 +129,7 @@ def test_a_clear_within_a_scissor_takes_its_part(beside):
     screen = Cylinder(160, -35, 35)
 
     def scene(gl):
-        looking(gl)
+        looking_around(gl)
         gl.glBegin(gl.GL_POINTS)
         gl.glVertex3f(0, 0, -5)
         gl.glEnd()
@@ -158,7 +151,7 @@ def test_text_stands_on_its_object(beside):
     point = (2.0, 1.0, -4.0)
 
     def scene(gl):
-        looking(gl)
+        looking_around(gl)
         gl.glRasterPos3f(*point)
         gl.glPixelZoom(1, 1)
         gl.glBitmap(3, 3, 1, 1, 0, 0, bytes([0xE0] * 12))
@@ -174,7 +167,7 @@ def test_the_programs_own_glsl_lands_there_too(beside):
     points = spread(screen)
 
     def scene(gl):
-        looking(gl)
+        looking_around(gl)
         shader = gl.glCreateShader(gl.GL_VERTEX_SHADER)
         gl.glShaderSource(shader, "void main() { gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex; }")
         gl.glCompileShader(shader)
@@ -200,15 +193,7 @@ def test_each_eye_has_the_whole_screen(beside):
     screen = Cylinder(160, -35, 35)
     points = spread(screen)[:20]
 
-    def scene(gl):
-        looking(gl)
-        gl.glPointSize(3)
-        gl.glBegin(gl.GL_POINTS)
-        for point in points:
-            gl.glVertex3f(*point)
-        gl.glEnd()
-
     options = {"stereo": "top-bottom", "eyes": 1e-6, **surface(screen)}
-    picture = beside.through_dome(scene, (SIZE[0], 2 * SIZE[1]), **options).picture
+    picture = beside.through_dome(points_at(points), (SIZE[0], 2 * SIZE[1]), **options).picture
     for part in (picture[: SIZE[1]], picture[SIZE[1] :]):
         assert_spots(part, pixels(points, screen))

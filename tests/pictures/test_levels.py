@@ -12,21 +12,12 @@ from domeshim.lens.detail import pieces_per_radian
 from domeshim.lens.models import Equidistant
 from domeshim.shading.compose import compose
 from domeshim.shading.recipe import Recipe
-from tests.pictures.beside import SIZE, checks
+from tests.pictures.beside import SIZE, checks, looking_around
 
 COLOURS = np.reshape(RAMP, (6, 4))[:, :3] * 255
 """Of what is whole, and of 1, 2, 4, 8 and 16 pieces."""
 METHODS = ("tessellate", "geometry", "cpu")
 MIDDLE = np.s_[SIZE // 2 - 1 : SIZE // 2 + 1, SIZE // 2 - 1 : SIZE // 2 + 1]
-
-
-def looking(gl):
-    gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT)
-    gl.glMatrixMode(gl.GL_PROJECTION)
-    gl.glLoadIdentity()
-    gl.gluPerspective(60, 1, 0.1, 100)
-    gl.glMatrixMode(gl.GL_MODELVIEW)
-    gl.glLoadIdentity()
 
 
 def quad(gl, half, centre=(0, 0)):
@@ -58,7 +49,7 @@ def test_a_line_has_the_colour_of_its_pieces(beside, method):
     half = np.radians(15)
 
     def scene(gl):
-        looking(gl)
+        looking_around(gl)
         gl.glColor3f(1, 0, 1)
         gl.glLineWidth(5)
         gl.glBegin(gl.GL_LINES)
@@ -76,7 +67,7 @@ def test_a_line_has_the_colour_of_its_pieces(beside, method):
 @pytest.mark.parametrize("listed", [False, True])
 def test_surfaces_have_levels_and_what_is_whole_is_grey(beside, method, listed):
     def scene(gl):
-        looking(gl)
+        looking_around(gl)
         if listed:
             gl.glNewList(1, gl.GL_COMPILE)
         quad(gl, 1.0)
@@ -102,7 +93,7 @@ def test_surfaces_have_levels_and_what_is_whole_is_grey(beside, method, listed):
 
 def test_auto_leaves_small_primitives_grey(beside):
     def scene(gl):
-        looking(gl)
+        looking_around(gl)
         quad(gl, 0.05)
 
     for method in ("auto", "vertex", "paper", "cubemap"):
@@ -111,7 +102,7 @@ def test_auto_leaves_small_primitives_grey(beside):
 
 def test_nothing_of_the_programs_own_colours_is_left(beside):
     def plain(gl):
-        looking(gl)
+        looking_around(gl)
         quad(gl, 1.0)
 
     def dressed(gl):
@@ -148,10 +139,10 @@ def test_nothing_of_the_programs_own_colours_is_left(beside):
 
 def test_the_legend_lies_in_the_corner(beside):
     size = (2 * SIZE, SIZE)
-    picture = beside.through_dome(looking, size, fov=180.0, debug="levels").picture
+    picture = beside.through_dome(looking_around, size, fov=180.0, debug="levels").picture
     legend = legend_of(SIZE)
     assert (picture[: legend.shape[0], : legend.shape[1]] == legend).all()
-    assert not beside.through_dome(looking, size, fov=180.0).picture.any()
+    assert not beside.through_dome(looking_around, size, fov=180.0).picture.any()
     found = {tuple(colour) for colour in legend.reshape(-1, 3).tolist()}
     assert {tuple(colour) for colour in COLOURS.round().astype(int).tolist()} <= found
     assert legend.shape[1] < 0.3 * SIZE

@@ -12,19 +12,13 @@ from domeshim.lens.projection import disc_of
 from domeshim.measure.pixels import read_pixels
 from domeshim.window.contract import SurfaceFormat
 from tests.lens.test_surfaces import bourke
+from tests.pictures.beside import looking_around, points_at
 
 SIZE = 384
 CORNERS = (0.2, 0.0, 0.9, 0.1, 1.0, 1.0, 0.0, 0.8)
 RNG = np.random.default_rng(5)
 POINTS = RNG.normal(size=(40, 3)) * (1, 1, 0.6) - (0, 0, 0.8)
 POINTS = (POINTS / np.linalg.norm(POINTS, axis=1, keepdims=True))[POINTS[:, 2] < -0.15]
-
-
-def looking(gl):
-    gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT)
-    gl.glMatrixMode(gl.GL_PROJECTION)
-    gl.gluPerspective(60, 1, 0.1, 100)
-    gl.glMatrixMode(gl.GL_MODELVIEW)
 
 
 def assert_spots(picture, places):
@@ -40,12 +34,7 @@ def assert_spots(picture, places):
 
 
 def points(gl):
-    looking(gl)
-    gl.glPointSize(3)
-    gl.glBegin(gl.GL_POINTS)
-    for point in SEPARATE:
-        gl.glVertex3f(*(5 * point))
-    gl.glEnd()
+    points_at(5 * SEPARATE)(gl)
 
 
 def _separate():
@@ -70,7 +59,7 @@ def test_keystone_is_the_homography(beside):
 @pytest.mark.parametrize("method", ["auto", "geometry", "cpu"])
 def test_line_bends_through_the_keystone(beside, method):
     def scene(gl):
-        looking(gl)
+        looking_around(gl)
         gl.glBegin(gl.GL_LINES)
         gl.glVertex3f(-30, 2, -3)
         gl.glVertex3f(30, 2, -3)
@@ -90,7 +79,7 @@ def test_line_bends_through_the_keystone(beside, method):
 def test_keystone_cuts_at_the_bent_rim(beside):
     def scene(gl):
         gl.glClearColor(1, 1, 1, 1)
-        looking(gl)
+        looking_around(gl)
 
     picture = beside.through_dome(scene, (SIZE, SIZE), fov=180.0, surface=("keystone", CORNERS)).picture
     rows, columns = np.mgrid[:SIZE, :SIZE] + 0.5
@@ -103,7 +92,7 @@ def test_keystone_cuts_at_the_bent_rim(beside):
 
 def checks(gl):
     """A disc with something to see all over, smooth enough to be resampled."""
-    looking(gl)
+    looking_around(gl)
     gl.glBegin(gl.GL_TRIANGLES)
     around = np.linspace(0, 2 * np.pi, 37)
     for a, b in pairwise(around):
@@ -163,12 +152,12 @@ def test_mouse_goes_back_through_the_mesh(beside, tmp_path):
     path = tmp_path / "mesh.data"
     path.write_text(bourke(9, 9, place=lambda u, v: (1 - 2 * u, 2 * v - 1)))
     with beside.window((SIZE, SIZE), fov=180.0, surface=("mesh", str(path))) as finish:
-        looking(beside.dome)
+        looking_around(beside.dome)
         finish()
         dome, window = beside.session.dome, beside.session.window
         mirrored = dome.program_place(window, SIZE - 100.0, 150.0)
     with beside.window((SIZE, SIZE), fov=180.0) as finish:
-        looking(beside.dome)
+        looking_around(beside.dome)
         finish()
         plain = beside.session.dome.program_place(beside.session.window, 100.0, 150.0)
     assert mirrored == pytest.approx(plain, abs=1e-6)
@@ -215,7 +204,7 @@ def test_closing_the_window_frees_what_finishes_its_pictures(beside):
 def test_hud_lies_beside_the_disc_and_the_rest_is_black(beside):
     def scene(gl):
         gl.glClearColor(0, 0, 1, 1)
-        looking(gl)
+        looking_around(gl)
         gl.glBegin(gl.GL_POINTS)
         gl.glVertex3f(0, 0, -5)
         gl.glEnd()
@@ -249,7 +238,7 @@ def test_what_is_never_cleared_goes_on_below_the_mirror(beside, monkeypatch, met
         """What is seen when the program has drawn so many triangles, one a picture, and cleared at first."""
         with beside.window((SIZE, SIZE), fov=180.0, method=method, **options) as finish:
             gl = beside.dome
-            looking(gl)
+            looking_around(gl)
             for number in range(count):
                 gl.glColor3f(1, number / 4, 0)
                 gl.glBegin(gl.GL_TRIANGLES)

@@ -7,19 +7,11 @@ from scipy import ndimage
 from domeshim.driver import Driver
 from domeshim.options import Options
 from domeshim.state.views import Dressing, View, Worn
+from tests.pictures.beside import looking_around
 
 SIZE = 512
 EYES = 0.5
 DISTANCE = 4.0
-
-
-def looking_around(gl):
-    gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT)
-    gl.glMatrixMode(gl.GL_PROJECTION)
-    gl.glLoadIdentity()
-    gl.gluPerspective(60, 1, 0.1, 100)
-    gl.glMatrixMode(gl.GL_MODELVIEW)
-    gl.glLoadIdentity()
 
 
 def towards(azimuth, height):
