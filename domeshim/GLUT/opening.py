@@ -25,7 +25,8 @@ def open_window(
     """
     session = sessions.current()
     options = session.options
-    size = session.window_size or (max(size[0], 1), max(size[1], 1))
+    asked = max(size[0], 1), max(size[1], 1)
+    size = session.window_size or asked
     frame = options.frame if options.enabled else None
     display = options.display if options.enabled else None
     events = QueuedEvents(state)
@@ -46,6 +47,7 @@ def open_window(
         fatal(state.program, f"{NO_QUAD} ({error})" if in_quad else str(error))
     if in_quad and not surface.format.stereo:
         fatal(state.program, NO_QUAD)
+    surface.asked = asked if size != asked else None
     window = GlutWindow(state.next_window, surface, size, state.display_mode)
     window.fixed = frame is not None or display is not None
     return _admit(state, window, events)

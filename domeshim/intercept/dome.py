@@ -177,7 +177,7 @@ def _frame(session: Session, driver: Driver, window: Window, program_size: tuple
     inside = window.inside if isinstance(window, SubWindow) else None
     most = min(driver.integers(_MAX_VIEWPORT_DIMS, 2))
     frame = Frame.of(session.options, window.size, program_size, inside)
-    frame = replace(frame, on_grid=session.on_grid)
+    frame = replace(frame, on_grid=session.on_grid, asked=window.asked)
     if window.part is not None:
         return frame.cut(window.part, most)
     if frame.square[2] > most:

@@ -116,7 +116,8 @@ class Comparison:
         flat, seen = _as_on_monitor(dome, monitor.shape[1::-1])
         apart = difference(monitor, flat, seen)
         if apart.verdict == "different" and (finer := self._apart_in_detail(frame)) is not None:
-            apart = finer if finer.verdict != "different" else apart
+            grows = finer.seen > apart.seen / 2  # else the program's view is of one size in any window
+            apart = finer if grows and finer.verdict != "different" else apart
         if apart.verdict == "different" and dome.overlaid:
             apart = replace(apart, verdict="undecided", reason=OVERLAID)
         return replace(result, seen_as_monitor=flat, difference=apart)

@@ -95,6 +95,8 @@ class Placer:
         """A main view has been drawn in this window."""
         self.steady = _steady_view(options)
         """What limits how fast the view turns, if anything."""
+        self._fills_asked = False
+        """The program draws into the window that it asked for, and was not given."""
         self.on_modelview = False
         """A perspective went to the MODELVIEW stack: that matrix must be looked at as well."""
 
@@ -110,6 +112,7 @@ class Placer:
 
         modelview: given where on_modelview asks for it; its perspective counts if projection has none.
         """
+        self._fills_asked = self._fills_asked or frame.fills_asked(viewport)
         if is_perspective(projection):
             return self._in_perspective(projection, projection, viewport, frame)
         if modelview is not None and is_perspective(modelview):
@@ -119,6 +122,8 @@ class Placer:
     def through_window(self, frame: Frame) -> View:
         """The main view, which what is drawn flat is seen through."""
         x, y, width, height = frame.outer
+        if self._fills_asked and frame.asked is not None:
+            x, y, width, height = 0, 0, *frame.asked
         if self.main.view is None:
             p = perspective(self._options.panel, width / height, 1.0, 10.0)
             assert p is not None

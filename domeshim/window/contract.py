@@ -82,6 +82,8 @@ class Window(ABC):
     events: WindowEvents
     part: tuple[int, int, int, int] | None = None
     """All that there are pixels for, if not the whole window: x and y from its bottom left, width, height."""
+    asked: tuple[int, int] | None = None
+    """The size that the program asked for, where the user's choice stands instead."""
 
     @property
     def pixels(self) -> tuple[int, int]:

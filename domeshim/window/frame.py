@@ -50,6 +50,8 @@ class Frame:
     """What is drawn flat lies beside the disc, not over it."""
     whole: bool = False
     """There is no disc: the picture fills each part, as on a cylindrical screen."""
+    asked: tuple[int, int] | None = None
+    """The window's size that the program asked for, where the user's choice stands instead."""
     on_grid: bool = False
     """Vertices are brought onto the driver's own steps within a pixel: tiles are then what the whole is."""
 
@@ -156,11 +158,20 @@ class Frame:
         return found if self.keystone is None else self.keystone.to_disc(found)
 
     def covers_most(self, viewport: Rectangle) -> bool:
-        """It holds more than half of the outermost window: it is a main view, not an inset."""
+        """It holds more than half of the outermost window: it is a main view, not an inset.
+
+        So is one that would have filled the window that the program asked for.
+        """
+        if self.fills_asked(viewport):
+            return True
         width, height = self.program_size
         x, y, w, h = viewport
         seen = max(0, min(x + w, width) - max(x, 0)) * max(0, min(y + h, height) - max(y, 0))
         return 2 * seen > self.outer[2] * self.outer[3]
+
+    def fills_asked(self, viewport: Rectangle) -> bool:
+        """It is just the window that the program asked for, and was not given."""
+        return self.asked is not None and viewport == (0, 0, *self.asked)
 
     def flat(self, viewport: Rectangle, eye: int = 0) -> Rectangle:
         """The viewport's place where the program's window lies undistorted in an eye's centre square."""

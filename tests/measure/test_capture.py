@@ -306,3 +306,54 @@ def test_glx_can_be_imported_and_has_no_function(capture, mode):
     ended = capture("", "--mode", mode, whole=whole.replace("{}", checked))
     assert ended.returncode == 0, ended.stderr
     assert "no function" in ended.stdout
+
+
+FIXED_VIEW = """
+from OpenGL.GL import *
+from OpenGL.GLU import *
+from OpenGL.GLUT import *
+def display():
+    glViewport(0, 0, 120, 100)
+    glClear(GL_COLOR_BUFFER_BIT)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    {}
+    glMatrixMode(GL_MODELVIEW)
+    glColor3f(1, 1, 1)
+    glBegin(GL_QUADS)
+    for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
+        glVertex3f(x, y, -2)
+    glEnd()
+    glutSwapBuffers()
+glutInit()
+glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB)
+glutInitWindowSize(120, 100)
+glutCreateWindow("program")
+glutDisplayFunc(display)
+glutMainLoop()
+"""
+
+
+@pytest.mark.parametrize("view", ["gluPerspective(60, 1.2, 0.1, 10)", "glOrtho(-1.8, 1.8, -1.5, 1.5, -3, 3)"])
+def test_a_view_as_large_as_the_program_asked_for_fills_the_dome_at_any_size(capture, picture, view):
+    seen = {}
+    for width, height in ((120, 100), (480, 400)):
+        ended = capture(
+            "", "--mode", "dome", "--size", f"{width}x{height}", whole=FIXED_VIEW.replace("{}", view)
+        )
+        assert ended.returncode == 0, ended.stderr
+        rows, columns = np.nonzero(picture()[..., 0] > 128)
+        seen[width] = np.array([rows.mean() / height, columns.mean() / width, len(rows) / (height * width)])
+    assert seen[120][2] > 0.03
+    np.testing.assert_allclose(seen[480], seen[120], atol=0.01)
+
+
+def test_a_view_of_another_size_stays_an_inset(capture, picture):
+    smaller = FIXED_VIEW.replace("{}", "gluPerspective(60, 1.2, 0.1, 10)").replace(
+        "120, 100)", "110, 100)", 1
+    )
+    ended = capture("", "--mode", "dome", "--size", "480x400", whole=smaller)
+    assert ended.returncode == 0, ended.stderr
+    rows, columns = np.nonzero(picture()[..., 0] > 128)
+    assert columns.mean() < 200
+    assert rows.mean() > 220

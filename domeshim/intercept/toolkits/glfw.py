@@ -105,6 +105,7 @@ class GlfwToolkit(ToolkitHost):
         wanted = self._hints.surface(self.samples_wished)
         shared = self._windows[_address(share)].surface if share else None
         surface = session.backend.open_window("", size, None, wanted, WindowEvents(), shared)
+        surface.asked = (width, height) if size != (width, height) else None
         opened = _GlfwWindow(handle, surface, self._hints.without_fixed_function)
         self._windows[_address(handle)] = opened
         if self._current is not None:

@@ -131,6 +131,7 @@ class PygameToolkit(ToolkitHost):
         real = surface.get_size()
         if known is None:
             self._window = self.session.backend.open_window("", real, None, self._format(), WindowEvents())
+            self._window.asked = tuple(size) if self.session.window_size not in (None, tuple(size)) else None
             core = bool(self._asked.get(_PROFILE, 0) & (_CORE | _ES))
             forward = bool(self._asked.get(_FLAGS, 0) & _FORWARD_COMPATIBLE)
             self._told_size = real
