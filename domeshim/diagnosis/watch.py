@@ -13,11 +13,12 @@ from typing import TYPE_CHECKING, Any
 from domeshim.draw import subdivide
 from domeshim.draw.patches import corners
 from domeshim.driver import Driver
+from domeshim.shading.recipe import Patch
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-_PATCHES, _PRIMITIVES_GENERATED, _QUERY_RESULT = 0x000E, 0x8C87, 0x8866
+_PATCHES, _PATCH_VERTICES, _PRIMITIVES_GENERATED, _QUERY_RESULT = 0x000E, 0x8E72, 0x8C87, 0x8866
 _CURRENT_PROGRAM, _SOURCE_LENGTH, _MOST_SHADERS = 0x8B8D, 0x8B88, 16
 _QUADS, _QUAD_STRIP, _POLYGON = 7, 8, 9
 _COMPILE_AND_EXECUTE = 0x1301
@@ -96,7 +97,7 @@ class WatchedDriver(Driver):
                 "draw_patches",
                 False,
                 # A quad's four corners count as the two triangles that they make.
-                lambda run, kind, *_: len(run.positions) // (3 if kind == "triangles" else 2),
+                lambda run, kind, *_: len(run.positions) // Patch(kind).corners,
             ),
             ("draw_cut", True, lambda run, *_: len(run.positions) // 3),
             ("draw_strips", True, lambda _run, lines, *_: len(lines)),
@@ -210,7 +211,7 @@ class WatchedDriver(Driver):
     def glEnd(self) -> None:
         """Count the primitive."""
         self._gl.glEnd()
-        self._count(_tally(*self._block))
+        self._count(_tally(*self._block, self._patch(self._block[0])))
         self._end_query()
 
     def glNewList(self, name: int, mode: int) -> None:
@@ -249,13 +250,17 @@ class WatchedDriver(Driver):
     def _drawing(self, mode: int, *counts: int) -> Iterator[None]:
         whole = Tally(1)
         for count in counts:
-            part = _tally(mode, count)
+            part = _tally(mode, count, self._patch(mode))
             whole.vertices += part.vertices
             whole.primitives += part.primitives
         self._count(whole)
         self._begin_query()
         yield
         self._end_query()
+
+    def _patch(self, mode: int) -> int:
+        """How many vertices a patch has now; 1 where none is drawn."""
+        return max(self._gl.integer(_PATCH_VERTICES), 1) if mode == _PATCHES else 1
 
     def _count(self, tally: Tally) -> None:
         if self._given is not None:
@@ -286,9 +291,11 @@ class WatchedDriver(Driver):
         self.tallies[self._bound].generated += found.value
 
 
-def _tally(mode: int, count: int) -> Tally:
-    """One draw of so many vertices; GL counts a quad, or a polygon, as one. Patches count as triangles."""
-    primitives = count // 3 if mode == _PATCHES else len(corners(mode, count)) if mode < 10 else 0
+def _tally(mode: int, count: int, patch: int) -> Tally:
+    """One draw of so many vertices; GL counts a quad, or a polygon, as one. patch: vertices of one."""
+    if mode == _PATCHES:
+        return Tally(1, count, count // patch)
+    primitives = len(corners(mode, count)) if mode < 10 else 0
     if mode in (_QUADS, _QUAD_STRIP):
         primitives //= 2
     elif mode == _POLYGON:

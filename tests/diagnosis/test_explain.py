@@ -39,6 +39,27 @@ glutDisplayFunc(display); glutMainLoop()
 """
 
 
+FEW = """
+from OpenGL.GL import *
+from OpenGL.GLU import *
+from OpenGL.GLUT import *
+def display():
+    glClear(GL_COLOR_BUFFER_BIT)
+    glMatrixMode(GL_PROJECTION); glLoadIdentity(); gluPerspective(60, 1, .1, 100)
+    glMatrixMode(GL_MODELVIEW); glLoadIdentity()
+    glBegin(GL_LINES)
+    for k in range(6): glVertex3f(-1 + .1 * k, 1, -2); glVertex3f(1, -1, -2)
+    glEnd()
+    glRotatef(10, 0, 1, 0)
+    glBegin(GL_QUADS)
+    for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1)): glVertex3f(x, y, -3)
+    glEnd()
+    glutSwapBuffers()
+glutInit(); glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB); glutCreateWindow("few")
+glutDisplayFunc(display); glutMainLoop()
+"""
+
+
 @pytest.fixture
 def explain(tmp_path):
     def explain(*options: str) -> subprocess.CompletedProcess[str]:
@@ -100,6 +121,17 @@ def test_what_the_cpu_cuts_and_what_two_eyes_take(explain):
     assert "draws in 2 passes, " in result.stdout
     assert "cut on the CPU" in result.stdout
     assert "each edge is made of straight pieces, within 0.5 pixels of its curve" in result.stdout
+
+
+def test_a_few_lines_and_quads_are_counted_as_the_program_gave_them(tmp_path):
+    (tmp_path / "few.py").write_text(FEW)
+    command = [sys.executable, "-m", "domeshim", "explain", "--json", "--size", "128", "few.py"]
+    result = subprocess.run(
+        command, cwd=tmp_path, env={**os.environ, "PYTHONPATH": str(ROOT)}, capture_output=True, timeout=60
+    )
+    ways = [way for way in json.loads(result.stdout)["draws"] if way["kind"] == "draw"]
+    assert {way["primitives"] for way in ways} == {6, 1}
+    assert all(way["generated"] > 20 for way in ways)
 
 
 def test_the_text_and_failures(explain, tmp_path):
