@@ -137,12 +137,13 @@ class Tolerance:
         if self._method is None or self._always:
             return None
         limit, corners = self._widest(scene), primitives.corners
-        angles, room = primitives.spheres.largest_angles(to_eye), 1.0
+        enough, room = (1 / self.detail if self.least == 1 else 0.0), 1.0
+        angles = primitives.spheres.largest_angles(to_eye, enough)
         if self.least < 1:
             behind = primitives.spheres.least_angles_from(self.aft, to_eye)
             room = np.minimum(room_behind(behind, self.least), 1.0)
         levels = np.zeros(len(angles), np.int8)
-        near = np.flatnonzero(angles * self.detail > room)
+        near = np.flatnonzero(angles > room / self.detail)
         near = near[_over(corners[near], to_eye, self.limit(1 / self.detail))]
         levels[near] = 1
         if self.least < 1 or (angles[near] > limit.widest).any():
@@ -163,6 +164,8 @@ class Tolerance:
 
 def _over(corners: Floats, to_eye: Matrix, limit: Limit) -> NDArray[np.bool_]:
     """(n,): which primitives have an edge over its limit, or no place; corners: (n, 2 or 3, 3)."""
+    if not len(corners):
+        return np.zeros(0, np.bool_)
     homogeneous = np.concatenate([corners.astype(float), np.ones_like(corners[..., :1])], -1)
     with np.errstate(invalid="ignore"):
         angles, limits, _ = edges_of(homogeneous @ to_eye.T, limit)

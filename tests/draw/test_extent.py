@@ -105,6 +105,18 @@ def test_no_corner_of_a_primitive_is_closer_to_a_direction_than_its_bound(seed, 
     assert (Spheres.of(points).least_angles_from(aft.tolist(), to_eye) <= closest + 1e-6).all()
 
 
+@given(st.integers(0, 100_000), st.floats(0.001, 0.5), st.floats(0, 60))
+def test_what_is_small_enough_is_told_by_blocks(seed, enough, away):
+    """6,000 triangles in a row of blocks that lie ever farther away."""
+    rng = np.random.default_rng(seed)
+    places = np.linspace([0, 0, -away - 1], [20, 0, -away - 500], 6000)[:, None]
+    spheres = Spheres.of(places + rng.normal(size=(6000, 3, 3)) * 0.05)
+    told, exact = spheres.largest_angles(np.eye(4), enough), spheres.largest_angles(np.eye(4))
+    assert (told >= exact - 1e-12).all()
+    assert ((told > enough) == (exact > enough)).all()
+    assert (told[told != exact] == enough).all()
+
+
 def test_a_primitive_is_judged_by_its_own_distance():
     spheres = Spheres.of(np.array([[[0.0, 0, -5], [1, 0, -5]], [[0, 0, -500], [1, 0, -500]]]))
     assert spheres.largest_angles(np.eye(4)) == pytest.approx([1 / 4.5, 1 / 499.5], rel=0.01)
