@@ -6,55 +6,21 @@ from collections import Counter, defaultdict
 from collections.abc import Callable
 from contextlib import contextmanager
 from ctypes import c_int, c_uint
-from dataclasses import dataclass
 from functools import wraps
 from typing import TYPE_CHECKING, Any
 
+from domeshim.diagnosis.tally import PATCHES, Made, Tally, tally_of
 from domeshim.draw import subdivide
-from domeshim.draw.patches import corners
 from domeshim.driver import Driver
 from domeshim.shading.recipe import Patch
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-_PATCHES, _PATCH_VERTICES, _PRIMITIVES_GENERATED, _QUERY_RESULT = 0x000E, 0x8E72, 0x8C87, 0x8866
+_PATCH_VERTICES, _PRIMITIVES_GENERATED, _QUERY_RESULT = 0x8E72, 0x8C87, 0x8866
 _CURRENT_PROGRAM, _SOURCE_LENGTH, _MOST_SHADERS = 0x8B8D, 0x8B88, 16
-_QUADS, _QUAD_STRIP, _POLYGON = 7, 8, 9
 _COMPILE_AND_EXECUTE = 0x1301
 _PROGRAM_DRAWS = ("glDrawArrays", "glDrawElements", "glDrawRangeElements", "glMultiDrawArrays")
-
-
-@dataclass
-class Tally:
-    """What one program drew in a picture."""
-
-    draws: int = 0
-    vertices: int = 0
-    """Handed to GL."""
-    primitives: int = 0
-    """Points, lines and triangles that these make."""
-    generated: int = 0
-    """What came of them, subdivided or not."""
-    cut: bool = False
-    """Some of it was cut on the CPU."""
-
-    def add(self, other: Tally) -> None:
-        """Count the other's as well."""
-        self.draws += other.draws
-        self.vertices += other.vertices
-        self.primitives += other.primitives
-        self.cut = self.cut or other.cut
-
-
-@dataclass
-class Made:
-    """What it took to make one program."""
-
-    shaders: int = 0
-    characters: int = 0
-    seconds: float = 0.0
-    """To compile and link it, as far as the dome did that."""
 
 
 class WatchedDriver(Driver):
@@ -211,7 +177,7 @@ class WatchedDriver(Driver):
     def glEnd(self) -> None:
         """Count the primitive."""
         self._gl.glEnd()
-        self._count(_tally(*self._block, self._patch(self._block[0])))
+        self._count(tally_of(*self._block, self._patch(self._block[0])))
         self._end_query()
 
     def glNewList(self, name: int, mode: int) -> None:
@@ -250,7 +216,7 @@ class WatchedDriver(Driver):
     def _drawing(self, mode: int, *counts: int) -> Iterator[None]:
         whole = Tally(1)
         for count in counts:
-            part = _tally(mode, count, self._patch(mode))
+            part = tally_of(mode, count, self._patch(mode))
             whole.vertices += part.vertices
             whole.primitives += part.primitives
         self._count(whole)
@@ -260,7 +226,7 @@ class WatchedDriver(Driver):
 
     def _patch(self, mode: int) -> int:
         """How many vertices a patch has now; 1 where none is drawn."""
-        return max(self._gl.integer(_PATCH_VERTICES), 1) if mode == _PATCHES else 1
+        return max(self._gl.integer(_PATCH_VERTICES), 1) if mode == PATCHES else 1
 
     def _count(self, tally: Tally) -> None:
         if self._given is not None:
@@ -289,18 +255,6 @@ class WatchedDriver(Driver):
         found = c_uint()
         self._gl.glGetQueryObjectuiv(self._query, _QUERY_RESULT, found)
         self.tallies[self._bound].generated += found.value
-
-
-def _tally(mode: int, count: int, patch: int) -> Tally:
-    """One draw of so many vertices; GL counts a quad, or a polygon, as one. patch: vertices of one."""
-    if mode == _PATCHES:
-        return Tally(1, count, count // patch)
-    primitives = len(corners(mode, count)) if mode < 10 else 0
-    if mode in (_QUADS, _QUAD_STRIP):
-        primitives //= 2
-    elif mode == _POLYGON:
-        primitives = min(primitives, 1)
-    return Tally(1, count, primitives)
 
 
 def _count_of(name: str, args: tuple[Any, ...]) -> int:

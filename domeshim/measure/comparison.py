@@ -64,8 +64,9 @@ PLAIN = {
     "fade": "0",
     "brightness": "1",
     "gamma": "1",
+    "debug": "off",
 }
-"""Settings that leave the dome's picture as it is drawn: one eye's, and not yet the projector's."""
+"""Settings that leave the dome's picture as it is drawn: one eye's, in its colours, not a projector's."""
 
 
 @dataclass(frozen=True)
