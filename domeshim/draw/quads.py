@@ -6,14 +6,14 @@ inside. Walls, floors and sides of boxes are parallelograms, whatever mode a pro
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from domeshim.draw.patches import Indices
+from domeshim.draw.patches import Indices, corners
 from domeshim.record.runs import Run
 
 _MOST = 512
@@ -33,6 +33,9 @@ def as_quads(
     one that gives both their colour. triangles: (n, 3) indices into the run's vertices.
     """
     quads, pairs = _pairs(run, triangles, flat=flat)
+    if 2 * len(pairs) == len(triangles):
+        yield "quads", quads
+        return
     single = np.ones(len(triangles), bool)
     single[pairs] = single[pairs + 1] = False
     drawn = np.delete(np.arange(len(triangles)), pairs + 1)
@@ -49,6 +52,33 @@ def as_quads(
             done += len(stretch)
 
 
+def few_as_quads(
+    mode: int, positions: Sequence[float], first: int, count: int, *, flat: bool
+) -> tuple[int, ...] | None:
+    """The vertices of a few primitives as parallelograms, four by four; None where they are not all such.
+
+    positions: x, y, z in a row; the primitives' count vertices begin at the first, from which the result counts.
+    """
+    order = _quads_of_mode(mode, count, flat=flat)
+    rounding = _ROUNDING * max(map(abs, positions[3 * first : 3 * (first + count)]), default=0.0)
+    for quad in range(0, len(order), 4):
+        a, b, c, d = (3 * (first + vertex) for vertex in order[quad : quad + 4])
+        for k in range(3):
+            if not abs(positions[a + k] + positions[c + k] - positions[b + k] - positions[d + k]) <= rounding:
+                return None
+    return order or None
+
+
+@lru_cache(maxsize=256)
+def _quads_of_mode(mode: int, count: int, *, flat: bool) -> tuple[int, ...]:
+    """The vertices of what a mode's triangles make two by two; nothing where one is left over."""
+    triangles = corners(mode, count)
+    places, first = _meeting(triangles.astype(np.int64).tobytes(), flat=flat)
+    chosen = _every_second(first)
+    whole = 2 * len(chosen) == len(triangles)
+    return tuple(triangles.ravel()[places[chosen]].ravel().tolist()) if whole else ()
+
+
 def _pairs(run: Run, triangles: Indices, *, flat: bool) -> tuple[Indices, Indices]:
     """The corners of each parallelogram, (m, 4), and the first of its two triangles, (m,)."""
     none = np.empty((0, 4), np.int64), np.empty(0, np.int64)
@@ -57,10 +87,10 @@ def _pairs(run: Run, triangles: Indices, *, flat: bool) -> tuple[Indices, Indice
     places, first = _meeting(triangles.tobytes(), flat=flat)
     if not len(first):
         places, first = _meeting(_vertex_numbers(run)[triangles].tobytes(), flat=flat)
-    corners = triangles.ravel()[places]
-    alike = _parallelograms(run.positions[corners, :3])
+    quads = triangles.ravel()[places]
+    alike = _parallelograms(run.positions[quads, :3])
     chosen = _every_second(first[alike])
-    return corners[alike][chosen], first[alike][chosen]
+    return quads[alike][chosen], first[alike][chosen]
 
 
 @lru_cache(maxsize=128)
@@ -105,6 +135,8 @@ def _parallelograms(corners: NDArray[np.floating]) -> NDArray[np.bool_]:
 
 def _every_second(places: Indices) -> NDArray[np.intp]:
     """Of rising places, those that leave out the next: none shares a triangle with the one before."""
+    if len(places) < 2:
+        return np.arange(len(places))
     begins = np.flatnonzero(np.diff(places, prepend=-2) > 1)
     since = np.arange(len(places)) - np.repeat(begins, np.diff(begins, append=len(places)))
     return np.flatnonzero(since % 2 == 0)

@@ -16,11 +16,16 @@ _Call = tuple[Callable[..., None], Sequence[float]]
 
 
 def drawing_of(
-    gl: Driver, recorder: Immediate, setters: Setters, block: Block, mode: int
+    gl: Driver,
+    recorder: Immediate,
+    setters: Setters,
+    block: Block,
+    mode: int,
+    order: Sequence[int] | None = None,
 ) -> Callable[[], None]:
     """What draws the primitives of a block by a mode, each with its own vertices and all their attributes.
 
-    The block must be one that knows_all says yes to.
+    The block must be one that knows_all says yes to. order: of its vertices, if not that of its primitives.
     """
     before: list[_Call] = []
     varying: list[tuple[Callable[..., None], Events]] = []
@@ -29,7 +34,8 @@ def drawing_of(
             varying.append((setters[name], events))
         elif events.places[0] <= 3 * block.first:
             before.append((setters[name], _value_at(events, block.first)))
-    return partial(_draw, gl, recorder, before, varying, block, mode)
+    order = order or _order(block.mode, block.end - block.first)
+    return partial(_draw, gl, recorder, before, varying, block.first, mode, order)
 
 
 def knows_all(recorder: Immediate) -> bool:
@@ -57,15 +63,16 @@ def _draw(
     recorder: Immediate,
     before: Sequence[_Call],
     varying: Sequence[tuple[Callable[..., None], Events]],
-    block: Block,
+    first: int,
     mode: int,
+    order: Sequence[int],
 ) -> None:
     positions, has_w, vertex3, vertex4 = recorder.positions, recorder.has_w, gl.glVertex3f, gl.glVertex4f
     for setter, value in before:
         setter(*value)
     gl.glBegin(mode)
-    for corner in _order(block.mode, block.end - block.first):
-        vertex = block.first + corner
+    for corner in order:
+        vertex = first + corner
         for setter, events in varying:
             setter(*_value_at(events, vertex))
         x, y, z = positions[3 * vertex : 3 * vertex + 3]

@@ -83,8 +83,8 @@ def subdivide(
             drawer.draw_all(TRIANGLES, taken(run, indices), context.draw)
         elif subdivision.method == "cpu":
             draw_cut(taken(run, indices), context, drawer)
-        elif kind == "triangles" and subdivision.method == "tessellate" and context.subdividing.even_w:
-            for shape, chosen in as_quads(run, indices, flat=_flat(context)):
+        elif kind == "triangles" and takes_quads(context, subdivision):
+            for shape, chosen in as_quads(run, indices, flat=is_flat(context)):
                 draw_patches(taken(run, chosen), shape, context, drawer, subdivision)
         else:
             draw_patches(taken(run, indices), kind, context, drawer, subdivision)
@@ -134,6 +134,11 @@ def patch_for(kind: Edged | Literal["quads"], subdivision: Subdivision) -> Patch
     return Patch(kind, method, subdivision.split, lengthened)
 
 
+def takes_quads(context: DomeContext, subdivision: Subdivision) -> bool:
+    """Parallelograms may be subdivided as quads now; what passes a small view's viewer is cut as triangles."""
+    return subdivision.method == "tessellate" and context.subdividing.even_w
+
+
 def shader_subdivides(kinds: Collection[Kind], context: DomeContext, subdivision: Subdivision) -> bool:
     """Primitives of these kinds go to a shader as they are, none split nor cut on the CPU."""
     if subdivision.split or subdivision.method in (None, "cpu"):
@@ -150,7 +155,7 @@ def draw_cut(piece: Run, context: DomeContext, drawer: Drawer) -> None:
         drawer.completed(piece),
         context.subdividing.to_eye,
         limit,
-        flat=_flat(context),
+        flat=is_flat(context),
         counting=context.shows_levels,
     )
     drawer.draw_all(TRIANGLES, piece, _drawing_cut("triangles", context))
@@ -164,7 +169,7 @@ def draw_strips(run: Run, lines: Indices, context: DomeContext, drawer: Drawer) 
         lines,
         context.subdividing.to_eye,
         limit,
-        flat=_flat(context),
+        flat=is_flat(context),
         counting=context.shows_levels,
     )
     drawer.draw_whole(strips, _drawing_cut("lines", context))
@@ -177,7 +182,7 @@ def _drawing_cut(kind: Edged, context: DomeContext) -> Making:
 
 def manner(context: DomeContext) -> tuple[object, ...]:
     """All that decides into which pieces a run is cut, beside the view."""
-    return _shown_polygon_mode(context), stippled(context), _flat(context)
+    return _shown_polygon_mode(context), stippled(context), is_flat(context)
 
 
 def stippled(context: DomeContext) -> bool:
@@ -185,7 +190,8 @@ def stippled(context: DomeContext) -> bool:
     return bool(context.driver.glIsEnabled(_LINE_STIPPLE))
 
 
-def _flat(context: DomeContext) -> bool:
+def is_flat(context: DomeContext) -> bool:
+    """One vertex of each primitive gives its colour now."""
     return context.driver.integer(_SHADE_MODEL) == _FLAT
 
 

@@ -11,9 +11,19 @@ from domeshim.draw.current import current_setters
 from domeshim.draw.extent import Extent
 from domeshim.draw.patches import POINTS, Indices, kind_of
 from domeshim.draw.primitives import many_primitives, taken
+from domeshim.draw.quads import few_as_quads
 from domeshim.draw.replay import replay
 from domeshim.draw.replay_pieces import drawing_of, knows_all
-from domeshim.draw.subdivide import Making, at_once, patch_for, shader_subdivides, subdivide, subdivision_of
+from domeshim.draw.subdivide import (
+    Making,
+    at_once,
+    is_flat,
+    patch_for,
+    shader_subdivides,
+    subdivide,
+    subdivision_of,
+    takes_quads,
+)
 from domeshim.draw.upload import Upload, completed
 from domeshim.driver import Driver
 from domeshim.record.immediate import Immediate
@@ -65,10 +75,16 @@ class Submitter:
         changes = recorder.rare or not knows_all(recorder)
         if changes or not shader_subdivides(kinds, context, subdivision):
             return False
+        by_quads = not recorder.has_w and takes_quads(context, subdivision)
+        flat = by_quads and is_flat(context)
         for block, kind in zip(recorder.blocks, kinds, strict=True):
-            patch = None if kind == "points" else patch_for(kind, subdivision)
+            order = None
+            if kind == "triangles" and by_quads:
+                count = block.end - block.first
+                order = few_as_quads(block.mode, recorder.positions, block.first, count, flat=flat)
+            patch = None if kind == "points" else patch_for("quads" if order else kind, subdivision)
             mode = POINTS if patch is None else patch.mode
-            context.draw(drawing_of(self._driver, recorder, self._setters, block, mode), patch)
+            context.draw(drawing_of(self._driver, recorder, self._setters, block, mode, order), patch)
         self.skip(recorder)
         return True
 

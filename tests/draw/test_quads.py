@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from domeshim.draw.patches import corners
-from domeshim.draw.quads import as_quads
+from domeshim.draw.quads import as_quads, few_as_quads
 from domeshim.record.runs import Run
 
 SQUARE = [[0, 0, -1], [1, 0, -1], [1, 1, -1], [0, 1, -1]]
@@ -116,3 +116,29 @@ def test_many_turns_are_not_worth_it():
     ((kind, found),) = stretches(run(positions), triangles)
     assert kind == "triangles"
     assert (found == triangles).all()
+
+
+@pytest.mark.parametrize(
+    ("mode", "order"),
+    [
+        (QUADS, [0, 1, 2, 3]),
+        (POLYGON, [0, 1, 2, 3]),
+        (FAN, [0, 1, 2, 3]),
+        (STRIP, [0, 1, 3, 2]),
+        (QUAD_STRIP, [0, 1, 3, 2]),
+    ],
+)
+def test_a_few_vertices_are_judged_alike(mode, order):
+    square = np.array(SQUARE)[order]
+    ((_, want),) = stretches(run(square), corners(mode, 4))
+    positions = [9.0, 9.0, 9.0, *square.ravel().tolist()]
+    assert few_as_quads(mode, positions, 1, 4, flat=False) == tuple(want[0])
+    positions[-1] += 1e-3
+    assert few_as_quads(mode, positions, 1, 4, flat=False) is None
+
+
+def test_a_few_vertices_of_which_one_triangle_is_left_over_are_none():
+    positions = np.array([*SQUARE, [2, 2, -1]], float).ravel().tolist()
+    assert few_as_quads(STRIP, positions, 0, 5, flat=False) is None
+    assert few_as_quads(FAN, positions[:12], 0, 4, flat=True) is None
+    assert few_as_quads(QUADS, [], 0, 0, flat=False) is None
