@@ -57,7 +57,7 @@ def few_as_quads(
 ) -> tuple[int, ...] | None:
     """The vertices of a few primitives as parallelograms, four by four; None where they are not all such.
 
-    positions: x, y, z in a row; the primitives' count vertices begin at the first, from which the result counts.
+    positions: x, y, z in a row; the count vertices begin at the first, from which the result counts.
     """
     order = _quads_of_mode(mode, count, flat=flat)
     rounding = _ROUNDING * max(map(abs, positions[3 * first : 3 * (first + count)]), default=0.0)

@@ -135,7 +135,7 @@ def patch_for(kind: Edged | Literal["quads"], subdivision: Subdivision) -> Patch
 
 
 def takes_quads(context: DomeContext, subdivision: Subdivision) -> bool:
-    """Parallelograms may be subdivided as quads now; what passes a small view's viewer is cut as triangles."""
+    """Parallelograms may be subdivided as quads now; what passes a small view's viewer as triangles."""
     return subdivision.method == "tessellate" and context.subdividing.even_w
 
 
