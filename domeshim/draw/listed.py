@@ -32,7 +32,7 @@ class ListedDraw:
     def __call__(self) -> None:
         """Make it."""
         if self._at_raster:
-            self._context.draw_at_raster(partial(self._context.driver.glCallList, self._name))
+            self._context.raster.draw(partial(self._context.driver.glCallList, self._name))
         else:
             patch = self._context.subdividing.line_patch if self._curve else None
             self._context.draw_list(self._name, patch)

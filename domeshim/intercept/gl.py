@@ -18,6 +18,7 @@ from domeshim.intercept import pixels, raster, reading, recorded, shaders
 from domeshim.intercept.arrays import draw_arrays, draw_elements, draw_range_elements, writes_buffer
 from domeshim.intercept.dome import Dome
 from domeshim.intercept.lists import call_list, call_lists, delete_lists, end_list, new_list
+from domeshim.intercept.matrix_calls import frustum, load_matrix, matrix_mode
 from domeshim.intercept.state_calls import (
     active_texture,
     attributes,
@@ -26,10 +27,7 @@ from domeshim.intercept.state_calls import (
     color_material,
     draw,
     evaluated_curve,
-    frustum,
     kept_in_lists,
-    load_matrix,
-    matrix_mode,
     read,
     read_picture,
     render_mode,

@@ -23,7 +23,7 @@ def raster_position(dome: Dome, original: Call) -> Call:
     def call(*args: Any) -> Any:
         if dome.context is None:
             return original(*args)
-        return dome.context.draw_at_raster(partial(original, *args), sets=True)
+        return dome.context.raster.set(partial(original, *args))
 
     return call
 
@@ -37,7 +37,7 @@ def at_raster(dome: Dome, original: Call) -> Call:
             return original(*args, **named)
         dome.drawing()
         draw = partial(original, *args, **named)
-        return None if dome.listed(draw, at_raster=True) else context.draw_at_raster(draw)
+        return None if dome.listed(draw, at_raster=True) else context.raster.draw(draw)
 
     return call
 
@@ -114,7 +114,7 @@ def window_position(dome: Dome, original: Call) -> Call:
         if context is None or not context.pixels.placed:
             return original(*args)
         x, y, z = (*_numbers(args), 0.0)[:3]
-        return context.put_raster(context.pixels.positions(x, y, z))
+        return context.raster.put(context.pixels.positions(x, y, z))
 
     return call
 

@@ -7,7 +7,7 @@ the monitor (DESIGN 2.1). The dome's own state is on only while draws follow eac
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -26,7 +26,7 @@ from domeshim.state.own_programs import OwnPrograms
 from domeshim.state.panel_pixels import PanelPixels
 from domeshim.state.perspective import Matrix
 from domeshim.state.placement import MainView, Placement, Placer
-from domeshim.state.raster import Point, RasterPoints
+from domeshim.state.raster import RasterPoints
 from domeshim.state.scene import GROUPS, SceneState
 from domeshim.state.scissor import edges_of
 from domeshim.state.subdividing import Subdividing
@@ -67,13 +67,14 @@ class DomeContext:
         self._passing = False
         self._said: set[str] = set()
         self._where = Whereabouts(driver, self.placer, self.own)
-        self._raster = False
+        self._at_raster = False
         self._flat: Scene | None = None
         """What the last draw onto the panel, in pixels of the program's window, went through."""
         self._dresser = Dresser(self, options)
-        self._worn = self._dresser.worn
+        self.worn = self._dresser.worn
+        """What is on in GL now, over the program's own state."""
         self.canvas = canvas_of(driver, options, frame, self.lens, self.orientation, self.say_once)
-        self._raster_points = RasterPoints(driver, self._worn)
+        self.raster = RasterPoints(self)
         self._patch: Patch | None = None
         self.put_back: Callable[[], object] | None = None
         """Puts the last picture back into the window, where the projector's pass has gone over it."""
@@ -119,7 +120,7 @@ class DomeContext:
     def bends(self) -> bool:
         """The next draw goes through a vertex program of the dome's."""
         self.dress()
-        return self._worn.dressing is not None and self._worn.dressing.program != 0
+        return self.worn.dressing is not None and self.worn.dressing.program != 0
 
     @property
     def bypassed(self) -> bool:
@@ -195,11 +196,11 @@ class DomeContext:
         if self._passing:
             _ = self.seen  # later pictures may go by the perspectives of this one
             return
-        changed = patch != self._patch or raster != self._raster or self._flat is not None
-        if changed or self._worn.dressing is None or self._stale:
+        changed = patch != self._patch or raster != self._at_raster or self._flat is not None
+        if changed or self.worn.dressing is None or self._stale:
             self._uncover()
             self.go_on()
-            self._patch, self._raster, self._flat = patch, raster, None
+            self._patch, self._at_raster, self._flat = patch, raster, None
             self._dresser.put_on(*self._look(), patch, raster=raster)
             if patch is not None and patch.method == "tessellate":
                 self.driver.glPatchParameteri(_PATCH_VERTICES, patch.corners)
@@ -210,15 +211,15 @@ class DomeContext:
         What it leaves in GL beside pixels (the current colour, say) is as after one draw.
         """
         self.dress(patch)
-        views = self._views_now
+        views = self.views_now
         for view in views[:-1]:
-            self._worn.show(view)
+            self.worn.show(view)
             self.driver.glPushAttrib(_CURRENT_AND_LIGHTING_BITS)
             call()
             self.driver.integers(_CURRENT_COLOR, 4)  # Mesa hands colours on when it is asked for them
             self.driver.glPopAttrib()
         if views:
-            self._worn.show(views[-1])
+            self.worn.show(views[-1])
         return call()
 
     def draw_flat(self, call: Callable[[Rectangle], object], scene: Scene) -> None:
@@ -226,38 +227,19 @@ class DomeContext:
 
         scene: what the fixed pipeline does for it; the same object for the same.
         """
-        if self._flat is not scene or self._worn.dressing is None or self._stale:
+        if self._flat is not scene or self.worn.dressing is None or self._stale:
             self._uncover()
             self.go_on()
-            self._patch, self._raster, self._flat = None, False, scene
+            self._patch, self._at_raster, self._flat = None, False, scene
             seen, _ = self._look()
             around = self.pixels.around(seen.viewport)
             placement, edges = self.placer.panel(around, self.frame), edges_of(seen.scissor, around)
             self._dresser.put_on(replace(seen, placement=placement, edges=edges), scene, None, raster=False)
         viewport = self.pixels.around(self.seen.viewport)
-        for view in self._views_now or (None,):
+        for view in self.views_now or (None,):
             if view is not None:
-                self._worn.show(view)
+                self.worn.show(view)
             call(viewport)
-
-    def draw_at_raster(self, call: Callable[[], object], *, sets: bool = False) -> Any:
-        """Make a call that draws at the raster position, or sets it, in each view; return its answer."""
-        self.dress(raster=True)
-        views = self._views_now
-        if not views:
-            return call()
-        return (self._raster_points.set if sets else self._raster_points.draw)(views, call)
-
-    def put_raster(self, points: Sequence[Point | None]) -> None:
-        """Set the raster position to places of the views in the framebuffer; None: out of a view's sight."""
-        self.dress(raster=True)
-        if self._raster_points.put(points):
-            return
-        self.driver.glRasterPos2f(0.0, 0.0)  # goes nowhere
-
-    def move_raster(self, points: Sequence[Point | None]) -> None:
-        """Move the raster position on, to places of the views in the framebuffer."""
-        self._raster_points.move(points)
 
     @property
     def several(self) -> bool:
@@ -265,9 +247,9 @@ class DomeContext:
         return len(self.canvas.views) > 1
 
     @property
-    def _views_now(self) -> tuple[View, ...]:
+    def views_now(self) -> tuple[View, ...]:
         """The views of the next draw where there are several."""
-        dressing = self._worn.dressing
+        dressing = self.worn.dressing
         return () if dressing is None or self.compiling or len(dressing.views) == 1 else dressing.views
 
     def draw_list(self, name: int, patch: Patch | None = None) -> None:

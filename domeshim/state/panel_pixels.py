@@ -164,7 +164,7 @@ class PanelPixels:
             if len(self._points) >= _MOST:
                 self._points.clear()
             self._points[key] = points
-        context.move_raster(points)
+        context.raster.move(points)
         self._remember((context.driver.doubles(_POSITION, 4), self._sight), spot)
 
     def _remember(self, key: object, spot: Spot) -> None:

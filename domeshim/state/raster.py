@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from ctypes import c_float
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from domeshim.driver import Driver
-from domeshim.state.views import View, Worn
+if TYPE_CHECKING:
+    from domeshim.state.context import DomeContext
 
 Point = tuple[float, float, float]
 """x, y in the framebuffer's pixels, and depth, 0 to 1."""
@@ -21,40 +21,56 @@ _MOST = 4096
 class RasterPoints:
     """Makes calls at the raster position in each view of one context."""
 
-    def __init__(self, driver: Driver, worn: Worn) -> None:
-        self._driver = driver
-        self._worn = worn
+    def __init__(self, context: DomeContext) -> None:
+        self._context = context
+        self._driver = context.driver
         self._known: dict[Point, tuple[Point | None, ...]] = {}
 
-    def set(self, views: Sequence[View], call: Callable[[], object]) -> Any:
-        """Make a call that sets the position; it is where the first view that sees it has it."""
+    def set(self, call: Callable[[], object]) -> Any:
+        """Make a call that sets the position, in each view, and return its answer.
+
+        GL's position is then where the first view that sees it has it.
+        """
+        self._context.dress(raster=True)
+        views = self._context.views_now
+        if not views:
+            return call()
         points, result = [], None
         for view in views:
-            self._worn.show(view)
+            self._context.worn.show(view)
             result = call()
             points.append(self._now())
-        self._remember(points)
+        self.move(points)
         return result
 
-    def put(self, points: Sequence[Point | None]) -> bool:
-        """Set the position to given places of the views; whether any view has one."""
-        for point in points:
-            if point is not None:
-                self._driver.glWindowPos3f(*point)
-                break
-        if not any(points):
-            return False
+    def put(self, points: Sequence[Point | None]) -> None:
+        """Set the position to places of the views in the framebuffer; None: out of a view's sight."""
+        self._context.dress(raster=True)
+        first = next((point for point in points if point is not None), None)
+        if first is None:
+            self._driver.glRasterPos2f(0.0, 0.0)  # goes nowhere
+            return
+        self._driver.glWindowPos3f(*first)
         now = self._now()
         if now is not None and len(points) > 1:
             self._known[now] = tuple(points)
-        return True
 
     def move(self, points: Sequence[Point | None]) -> None:
-        """Set the position to given places of the views, with the colour that it has."""
-        self._remember(points)
+        """Move the position on, to places of the views in the framebuffer, with the colour that it has."""
+        first = next((point for point in points if point is not None), None)
+        if first is None:
+            return
+        self._move_gl(first)
+        if len(self._known) >= _MOST:
+            self._known.clear()
+        self._known[self._now() or first] = tuple(points)
 
-    def draw(self, views: Sequence[View], call: Callable[[], object]) -> Any:
-        """Make a call that draws at the position, and may move it on."""
+    def draw(self, call: Callable[[], object]) -> Any:
+        """Make a call that draws at the position, and may move it on, in each view; return its answer."""
+        self._context.dress(raster=True)
+        views = self._context.views_now
+        if not views:
+            return call()
         now = self._now()
         points = self._known.get(now) if now is not None else None
         if points is None or len(points) != len(views):
@@ -65,21 +81,12 @@ class RasterPoints:
             if point is None:
                 moved.append(None)
                 continue
-            self._worn.show(view)
-            self._move(point)
+            self._context.worn.show(view)
+            self._move_gl(point)
             result = call()
             moved.append(self._now())
-        self._remember(moved)
+        self.move(moved)
         return result
-
-    def _remember(self, points: Sequence[Point | None]) -> None:
-        first = next((point for point in points if point is not None), None)
-        if first is None:
-            return
-        self._move(first)
-        if len(self._known) >= _MOST:
-            self._known.clear()
-        self._known[self._now() or first] = tuple(points)
 
     def _now(self) -> Point | None:
         if not self._driver.integer(_VALID):
@@ -87,7 +94,7 @@ class RasterPoints:
         x, y, z, _ = self._driver.doubles(_POSITION, 4)
         return x, y, z
 
-    def _move(self, point: Point) -> None:
+    def _move_gl(self, point: Point) -> None:
         """Put GL's position there; what is drawn at it keeps the colour that it had."""
         gl = self._driver
         if self._now() == point:
