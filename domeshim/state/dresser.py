@@ -39,6 +39,8 @@ class Dresser:
                 context.say_once(
                     "under the program's own GLSL only GL_CLIP_PLANE0 to 2 cut, and only by its gl_ClipVertex"
                 )
+            if context.shows_levels:
+                context.say_once("DOME_DEBUG=levels: what the program's own GLSL draws keeps its colours")
             enables = own.bend(placement, seen.projection, seen.edges, scene.clip_planes)
             enables = (*enables, *self.wardrobe.discard(look))
             self._wear(Dressing(0, enables, canvas.views, own.current, canvas.framebuffer), seen)

@@ -137,6 +137,26 @@ def test_nothing_of_the_programs_own_colours_is_left(beside):
             assert np.abs(drawn.picture - bare).max() <= 1
 
 
+def test_the_programs_own_vertex_shaders_keep_their_colours(beside, capsys):
+    def scene(gl):
+        shader = gl.glCreateShader(gl.GL_VERTEX_SHADER)
+        gl.glShaderSource(
+            shader, "void main() { gl_Position = ftransform(); gl_FrontColor = vec4(1.0, 0.0, 0.0, 1.0); }"
+        )
+        gl.glCompileShader(shader)
+        program = gl.glCreateProgram()
+        gl.glAttachShader(program, shader)
+        gl.glLinkProgram(program)
+        looking_around(gl)
+        gl.glUseProgram(program)
+        quad(gl, 1.0)
+
+    picture = shown(beside, scene)
+    assert picture[SIZE // 2, SIZE // 2].tolist() == [255, 0, 0]
+    said = "DOME_DEBUG=levels: what the program's own GLSL draws keeps its colours"
+    assert capsys.readouterr().err.count(said) == 1
+
+
 def test_the_legend_lies_in_the_corner(beside):
     size = (2 * SIZE, SIZE)
     picture = beside.through_dome(looking_around, size, fov=180.0, debug="levels").picture
