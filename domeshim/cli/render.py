@@ -201,12 +201,14 @@ def _tell(manifest: Manifest) -> None:
     """Say what could not be made, and end with status 1 where something could not."""
     for note in manifest.notes:
         startup.say(note)
-    for key, reason in list(manifest.failed.items())[:5]:
+    wanted = manifest.wanted
+    failed = {key: reason for key, reason in manifest.failed.items() if key in wanted}
+    for key, reason in list(failed.items())[:5]:
         startup.say(f"{key}: {reason}")
-    if manifest.failed:
-        lacking = counted(len(manifest.failed), "picture")
+    if failed:
+        lacking = counted(len(failed), "picture")
         startup.say(f"{lacking} could not be made; {manifest.path} names them all")
-    if manifest.failed or manifest.notes:
+    if failed or manifest.notes:
         raise SystemExit(1)
 
 
@@ -217,7 +219,7 @@ def _check(folder: Path) -> None:
     wrong = manifest.complaints()
     for key, complaint in wrong.items():
         click.echo(f"{key}: {complaint}")
-    total = len(manifest.plan.frames) * len(manifest.plan.eyes)
+    total = len(manifest.keys)
     click.echo(f"as they were rendered: {total - len(wrong)} of {counted(total, 'picture')}")
     if wrong:
         click.echo("remove what is wrong, and the same domeshim render makes it again")

@@ -34,6 +34,11 @@ class Piped:
         """Its exit status, once it has ended by itself."""
         return self._process.wait()
 
+    def kill(self) -> None:
+        """End it; what is read from it from now on is its end."""
+        self._process.kill()
+        self._process.wait()
+
     def close(self) -> None:
         """End it."""
         for stream in (self.orders, self.replies):

@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+import logging
 import os
 import random
+import signal
+import threading
 from collections.abc import Iterator
 from contextlib import ExitStack, suppress
 from dataclasses import replace
 from itertools import zip_longest
+from multiprocessing import resource_tracker
 from pathlib import Path
 from typing import NamedTuple
 from uuid import uuid4
 
 from dask.system import CPU_COUNT
-from distributed import Client, LocalCluster, Worker, WorkerPlugin, as_completed, get_worker
+from distributed import Client, Future, LocalCluster, Worker, WorkerPlugin, as_completed, get_worker
 
 from domeshim.errors import DomeError
 from domeshim.render.files import write
@@ -23,35 +27,41 @@ from domeshim.render.show import Progress
 
 _COMPARED = 2
 """So many pictures are made twice."""
+_TOKEN = ".domeshim-"
+"""Begins the name of a file by which workers find out whether they see the output's folder."""
 _RASTER_THREADS = "LP_NUM_THREADS"
 """So many Mesa's llvmpipe takes in each process; it would take one a core."""
 
 
 class Keeper(WorkerPlugin):  # type: ignore[misc] # Dask's types are not looked at
-    """A worker's part: it keeps the plan's program alive from one chunk to the next."""
+    """A worker's part: it keeps the plan's program alive between chunks, one in each of its threads."""
 
     def __init__(self, plan: Plan, token: Path) -> None:
         """token: a file in the output's folder; who sees it shares the storage, and writes there itself."""
         self.name = f"domeshim-{token.name}"
         self._plan = plan
         self._token = token
-        self._maker: Maker | None = None
+        self._makers: dict[int, Maker] = {}
+        """By the thread's number."""
+
+    def setup(self, worker: Worker) -> None:
+        """The worker hears of the plan."""
+        os.environ.setdefault(_RASTER_THREADS, _share(worker.state.nthreads))
 
     def teardown(self, worker: Worker) -> None:  # noqa: ARG002 - Dask's own signature
         """The worker ends."""
-        if self._maker is not None:
-            self._maker.close()
+        for maker in list(self._makers.values()):
+            maker.give_up()
 
     def make(self, frames: tuple[int, ...], also: int | None) -> list[Made]:
         """Make these pictures; their files' contents come with them where the storage is not shared.
 
         also: one more, that another worker makes as well.
         """
-        if self._maker is None:
-            self._maker = Maker(self._plan)
+        maker = self._makers.setdefault(threading.get_ident(), Maker(self._plan))
         shared = self._token.exists()
         found = []
-        for made in self._maker.make(frames if also is None else (*frames, also)):
+        for made in maker.make(frames if also is None else (*frames, also)):
             if made.frame == also:
                 found.append(replace(made, content=b"", again=True))
             else:
@@ -74,9 +84,8 @@ class Chunk(NamedTuple):
 
 def make_chunk(name: str, chunk: Chunk) -> list[Made]:
     """A task: make these pictures on the worker where it runs; name: of the plugin there."""
-    keeper = get_worker().plugins[name]
-    assert isinstance(keeper, Keeper)
-    return keeper.make(*chunk)
+    keeper = get_worker().plugins.get(name)
+    return keeper.make(*chunk) if isinstance(keeper, Keeper) else []  # nobody waits for it any more
 
 
 class Farm:
@@ -104,14 +113,26 @@ class Farm:
         if self._seed is not None:
             random.Random(self._seed).shuffle(chunks)
         with ExitStack() as stack:
-            token = plan.output / f".{uuid4().hex}"
+            stack.callback(_hear_interrupts)
+            _put_off_interrupts()
+            for left in plan.output.glob(f"{_TOKEN}*"):  # by a client that was killed
+                left.unlink(missing_ok=True)
+            token = plan.output / f"{_TOKEN}{uuid4().hex}"
             write(token, b"")
             stack.callback(token.unlink, missing_ok=True)
             client = self._client(stack)
             keeper = Keeper(plan, token)
             client.register_plugin(keeper)
             stack.callback(_forget, client, keeper.name)
-            yield from _collect(client, keeper.name, plan, chunks)
+            stack.callback(_put_off_interrupts)  # once was enough
+            # Tasks that are still waiting are of no interest to anybody, nor is that they cannot be sent.
+            stack.callback(logging.getLogger("distributed").setLevel, logging.CRITICAL)
+            futures = {
+                client.submit(make_chunk, keeper.name, chunk, pure=False, priority=-number): chunk
+                for number, chunk in enumerate(chunks)
+            }
+            _hear_interrupts()
+            yield from _collect(futures, plan)
 
     def _chunks(self, frames: list[int]) -> list[Chunk]:
         rows = [tuple(frames[i : i + self._chunk]) for i in range(0, len(frames), self._chunk)]
@@ -123,7 +144,7 @@ class Farm:
             cluster = LocalCluster(
                 n_workers=self._workers,
                 threads_per_worker=1,
-                dashboard_address=None,
+                dashboard_address=":0",
                 env=_shared_cores(self._workers),
             )
             return stack.enter_context(Client(stack.enter_context(cluster)))
@@ -133,16 +154,27 @@ class Farm:
             raise DomeError(f"--cluster={self._cluster}: no scheduler answers there ({error})") from None
 
 
+def _put_off_interrupts() -> None:
+    """This thread hears of Ctrl+C later; threads and processes that begin meanwhile never do, nor need to."""
+    resource_tracker.ensure_running()  # which would begin with the first process, and let Ctrl+C in
+    signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+
+
+def _hear_interrupts() -> None:
+    signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
+
+
 def _shared_cores(workers: int) -> dict[str, str]:
     """What each of so many workers on this machine finds in its environment."""
-    return {} if _RASTER_THREADS in os.environ else {_RASTER_THREADS: str(max(CPU_COUNT // workers, 1))}
+    return {} if _RASTER_THREADS in os.environ else {_RASTER_THREADS: _share(workers)}
 
 
-def _collect(client: Client, name: str, plan: Plan, chunks: list[Chunk]) -> Iterator[Made]:
-    futures = {
-        client.submit(make_chunk, name, chunk, pure=False, priority=-number): chunk
-        for number, chunk in enumerate(chunks)
-    }
+def _share(programs: int) -> str:
+    """How many cores each of so many programs on this machine has."""
+    return str(max(CPU_COUNT // programs, 1))
+
+
+def _collect(futures: dict[Future, Chunk], plan: Plan) -> Iterator[Made]:
     for future in as_completed(futures):
         try:
             done = future.result()

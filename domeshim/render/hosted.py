@@ -65,6 +65,10 @@ class Host:
         """End the process."""
         self._child.close()
 
+    def kill(self) -> None:
+        """End it from another thread: who waits for its pictures hears that it ended."""
+        self._child.kill()
+
     def _status(self) -> str:
         status = self._child.wait()
         return f" (signal {-status})" if status < 0 else f" (exit status {status})" if status else ""

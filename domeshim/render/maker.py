@@ -50,18 +50,25 @@ class Maker:
         self._hosts: dict[_Place, Host] = {}
         self._draws_all = draws_all
         self._lasting = lasting
+        self._given_up = False
 
     def make(self, frames: Sequence[int], passing: Passing = lambda _frame: None) -> Iterator[Made]:
         """Make these pictures, given by rising numbers, for each eye."""
         for eye in self._plan.eyes:
             rows = [self._row((eye, part), list(frames), passing) for part in self._plan.parts]
-            for tiles in zip(*rows, strict=True):
+            for tiles in zip(*rows, strict=not self._given_up):
                 yield self._made(eye, tiles)
 
     def close(self) -> None:
         """End the programs."""
         while self._hosts:
             self._hosts.popitem()[1].close()
+
+    def give_up(self) -> None:
+        """Let make() end early that runs in another thread, and its programs with it."""
+        self._given_up = True
+        for host in list(self._hosts.values()):
+            host.kill()
 
     def _made(self, eye: str, tiles: Sequence[_Drawn]) -> Made:
         frame = tiles[0].frame
@@ -88,6 +95,8 @@ class Maker:
                 self._end(place)
             except HostLostError as error:
                 self._end(place)
+                if self._given_up:
+                    return
                 tries[frames[0]] += 1
                 if tries[frames[0]] < TRIES and not error.final:
                     continue

@@ -97,17 +97,24 @@ class Manifest:
             return
         if before.plan.fingerprint == self.plan.fingerprint:
             self.hashes |= before.hashes
+            wanted = self.wanted
+            self.failed |= {key: why for key, why in before.failed.items() if key not in wanted}
+
+    @property
+    def wanted(self) -> set[str]:
+        """The plan's pictures."""
+        plan = self.plan
+        return {self.key(frame, eye) for eye in plan.eyes for frame in plan.frames}
+
+    @property
+    def keys(self) -> list[str]:
+        """What shall be in the folder: the plan's pictures, and those that were asked for before."""
+        return sorted(self.wanted | set(self.hashes) | set(self.failed))
 
     def complaints(self) -> dict[str, str]:
         """What is wrong with the folder's pictures, by file: missing, not whole, or not what was rendered."""
-        wrong: dict[str, str] = {}
-        for eye in self.plan.eyes:
-            for frame in self.plan.frames:
-                key = self.key(frame, eye)
-                complaint = self._complaint(key)
-                if complaint:
-                    wrong[key] = complaint
-        return wrong
+        found = {key: self._complaint(key) for key in self.keys}
+        return {key: complaint for key, complaint in found.items() if complaint}
 
     def _complaint(self, key: str) -> str:
         try:

@@ -21,6 +21,18 @@ def test_workers_make_the_same_files_in_any_order(make_plan, progress):
     assert not manifest.notes
 
 
+def test_worker_with_several_threads_runs_a_program_in_each(make_plan, progress):
+    from distributed import LocalCluster
+
+    alone, farmed = make_plan(1, 12, "alone"), make_plan(1, 12, "farmed")
+    render(alone, Alone(), progress)
+    with LocalCluster(n_workers=1, threads_per_worker=2, dashboard_address=":0") as cluster:
+        manifest = render(farmed, Farm(0, cluster.scheduler_address, chunk=2), progress)
+    assert not manifest.failed
+    assert contents(farmed) == contents(alone)
+    assert len(contents(alone)) == 12
+
+
 def test_lost_worker_loses_nothing(make_plan, progress, tmp_path):
     mark = tmp_path / "killed"
     expected = render(make_plan(1, 8, "alone"), Alone(), progress)

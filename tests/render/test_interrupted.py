@@ -34,44 +34,48 @@ def alive(process: int) -> bool:
 
 
 @pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGKILL])
-def test_interrupted_client(tmp_path: Path, how: signal.Signals):
+@pytest.mark.parametrize("workers", [[], ["--workers", "2", "--chunk", "4"]], ids=["alone", "two workers"])
+def test_interrupted_client(tmp_path: Path, how: signal.Signals, workers: list[str]):
+    if workers:
+        pytest.importorskip("distributed")
     program, notes, output = (tmp_path / name for name in ("spinner.py", "notes", "show"))
     program.write_text(SPINNER.replace("{}", WRITES_ITSELF_DOWN))
-    options = ["--size", "64", "--output", str(output), str(program), str(notes)]
     environment = {**os.environ, "PYTHONPATH": str(ROOT)}
     environment.pop("PYOPENGL_PLATFORM", None)
 
-    def render(frames: str) -> subprocess.Popen[str]:
+    def render(frames: str, *options: str, output: Path = output) -> subprocess.Popen[str]:
+        command = [sys.executable, "-m", "domeshim", "render", "--frames", frames, "--size", "64", *options]
         return subprocess.Popen(
-            [
-                "env",
-                "--default-signal=INT",
-                sys.executable,
-                "-m",
-                "domeshim",
-                "render",
-                "--frames",
-                frames,
-                *options,
-            ],
+            ["env", "--default-signal=INT", *command, "--output", str(output), str(program), str(notes)],
             stderr=subprocess.PIPE,
             text=True,
             env=environment,
+            start_new_session=True,
         )
 
-    first = render("1:100000")
-    wait_for(lambda: len(list(output.glob("*.png"))) > 5)
-    first.send_signal(how)
+    first = render("1:2000", *workers)
+    wait_for(lambda: len(list(output.glob("*.png"))) > 9)
+    if how == signal.SIGINT:  # as a terminal does: all that was started hears it
+        os.killpg(first.pid, how)
+    else:
+        first.send_signal(how)
     said = first.communicate(timeout=60)[1]
     if how == signal.SIGINT:
         assert first.returncode == 130
         assert said.rstrip().endswith("domeshim: stopped; the same command goes on from here")
         assert "Traceback" not in said
-    host = int(notes.read_text().split()[0])
-    wait_for(lambda: not alive(host))
+    hosts = {int(host) for host in notes.read_text().split()}
+    wait_for(lambda: not any(alive(host) for host in hosts))
     made = {path: path.stat().st_mtime_ns for path in output.glob("*.png")}
-    second = render(f"1:{len(made) + 3}")
+    last = max(int(path.stem[-6:]) for path in made) + 3
+    second = render(f"1:{last}", *workers)
     said = second.communicate(timeout=60)[1]
     assert second.returncode == 0, said
-    assert len(list(output.glob("*.png"))) == len(made) + 3
     assert all(path.stat().st_mtime_ns == at for path, at in made.items())
+    undisturbed = render(f"1:{last}", output=tmp_path / "undisturbed")
+    said = undisturbed.communicate(timeout=60)[1]
+    assert undisturbed.returncode == 0, said
+    shown = {path.name: path.read_bytes() for path in output.iterdir() if path.suffix == ".png"}
+    assert len(shown) == last
+    assert shown == {path.name: path.read_bytes() for path in (tmp_path / "undisturbed").glob("*.png")}
+    assert not [path for path in output.iterdir() if path.name.startswith(".domeshim-")]

@@ -46,6 +46,16 @@ def test_only_what_is_missing_is_made_again(make_plan, progress):
     assert plan.path(1).stat().st_mtime_ns == kept
 
 
+def test_a_part_made_later_joins_the_others(make_plan, progress):
+    for first, last in ((1, 2), (4, 5), (2, 3)):
+        render(make_plan(first, last), Alone(), progress)
+    manifest = Manifest.load(make_plan(1, 5).output)
+    assert len(manifest.keys) == 5
+    assert not manifest.complaints()
+    make_plan(1, 5).path(5).unlink()
+    assert manifest.complaints() == {"spinner_000005.png": "missing"}
+
+
 def test_another_plan_does_not_count_as_made(make_plan, progress):
     render(make_plan(1, 2), Alone(), progress)
     larger = make_plan(1, 2)
