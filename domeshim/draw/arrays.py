@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from functools import partial
+from collections.abc import Callable
+from functools import cache, partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -51,7 +52,7 @@ class ArrayDraws:
     def _standing_of(self, draw: ArrayDraw) -> Standing:
         known = self._standing.get(draw.key)
         if known is None:
-            by_number = partial(self._by_number, draw.numbers())
+            by_number = partial(self._by_number, cache(draw.numbers))
             known = Standing(draw.read(), self._context, self._submitter, self._lists, by_number)
             self._standing[draw.key] = known
         return known
@@ -66,13 +67,15 @@ class ArrayDraws:
         if subdivision is None:
             return False
         run = run or draw.read()
-        drawer = AtOnce(self._submitter, partial(self._by_number, draw.numbers()))
+        drawer = AtOnce(self._submitter, partial(self._by_number, draw.numbers))
         return subdivide(run, self._context, drawer, subdivision, many_primitives(run))
 
-    def _by_number(self, program: NDArray[np.int64], mode: int, numbers: NDArray[np.uint32]) -> None:
-        """Draw from the program's own arrays; program: the number there of each vertex of the run."""
+    def _by_number(
+        self, program: Callable[[], NDArray[np.int64]], mode: int, numbers: NDArray[np.uint32]
+    ) -> None:
+        """Draw from the program's own arrays; program: gives the number there of each vertex of the run."""
         gl = self._context.driver
-        chosen = program[numbers].astype(np.uint32)
+        chosen = program()[numbers].astype(np.uint32)
         bound = gl.integer(_ELEMENT_BUFFER_BINDING)
         gl.glBindBuffer(_ELEMENT_BUFFER, 0)
         gl.glDrawElements(mode, chosen.size, _UNSIGNED_INT, chosen.ctypes.data)

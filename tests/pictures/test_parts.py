@@ -1,5 +1,7 @@
 """Large meshes: long edges cost only where they are, and what was split for a view is kept for it."""
 
+import ctypes
+
 import numpy as np
 import pytest
 
@@ -162,3 +164,42 @@ def test_what_is_blended_keeps_its_order(beside, way):
     assert {(128, 64, 0), (64, 0, 128)} <= {tuple(round(v / 64) * 64 for v in colour) for colour in seen}
     off = (np.abs(picture.astype(int) - everywhere).max(-1) > 2).sum()
     assert off < 0.01 * SIZE**2  # single pixels on the edges of 968 quads
+
+
+def test_indices_in_the_programs_own_array_object(beside):
+    """16-bit indices from the middle of a buffer, of vertices shared and coloured; all bindings stay."""
+    steps = np.linspace(-20, 20, 31)
+    z, x = np.meshgrid(steps, steps, indexing="ij")
+    places = np.stack([x, np.full_like(x, -0.4), z], -1).reshape(-1, 3).astype(np.float32)
+    colours = np.random.default_rng(3).integers(100, 256, (len(places), 4), np.uint8)
+    first = (np.arange(30)[:, None] * 31 + np.arange(30)).reshape(-1, 1)
+    corners = (first + np.array([0, 31, 32, 1])).astype(np.uint16)
+
+    def scene(gl):
+        perspective(gl)
+        gl.glBindVertexArray(gl.glGenVertexArrays(1))
+        buffers = gl.glGenBuffers(3)
+        for buffer, data in zip(buffers, (places, colours, corners), strict=True):
+            gl.glBindBuffer(gl.GL_ARRAY_BUFFER, buffer)
+            gl.glBufferData(gl.GL_ARRAY_BUFFER, data.nbytes, data, gl.GL_STATIC_DRAW)
+        gl.glBindBuffer(gl.GL_ARRAY_BUFFER, buffers[0])
+        gl.glEnableClientState(gl.GL_VERTEX_ARRAY)
+        gl.glVertexPointer(3, gl.GL_FLOAT, 0, None)
+        gl.glBindBuffer(gl.GL_ARRAY_BUFFER, buffers[1])
+        gl.glEnableClientState(gl.GL_COLOR_ARRAY)
+        gl.glColorPointer(4, gl.GL_UNSIGNED_BYTE, 0, None)
+        gl.glBindBuffer(gl.GL_ELEMENT_ARRAY_BUFFER, buffers[2])
+        for _ in range(3):  # seen anew, to be kept, and as kept
+            gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT)
+            gl.glDrawElements(gl.GL_QUADS, corners.size - 40, gl.GL_UNSIGNED_SHORT, ctypes.c_void_p(80))
+            assert gl.glGetIntegerv(gl.GL_ELEMENT_ARRAY_BUFFER_BINDING) == buffers[2]
+            assert gl.glGetIntegerv(gl.GL_ARRAY_BUFFER_BINDING) == buffers[1]
+        gl.glBindVertexArray(0)
+
+    picture, everywhere = (
+        beside.through_dome(scene, (SIZE, SIZE), fov=180.0, method=method).picture
+        for method in ("auto", "tessellate")
+    )
+    assert picture.any(-1).mean() > 0.2
+    off = (np.abs(picture.astype(int) - everywhere).max(-1) > 8).sum()
+    assert off < 0.005 * SIZE**2
