@@ -44,7 +44,7 @@ def sight(*, fov=180.0, tilt=0.0, size=(800, 600), frame=None, lens=("equidistan
     return Sight(placer.through_window(frame), frame, optics, Orientation(tilt))
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300)
 @given(sights(), st.floats(0, 1), st.floats(0, 1))
 def test_a_place_of_the_window_comes_back(s, x, y):
     place = np.array([x, y]) * s.frame.program_size
@@ -53,7 +53,7 @@ def test_a_place_of_the_window_comes_back(s, x, y):
     assert np.abs(s.to_program(landed) - place).max() < 0.01
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300)
 @given(sights(), st.floats(-0.5, 1.5), st.floats(-0.5, 1.5))
 def test_every_place_of_the_frame_has_a_finite_place(s, x, y):
     place = s.to_program(np.array([x, y]) * s.frame.size)
@@ -62,7 +62,7 @@ def test_every_place_of_the_frame_has_a_finite_place(s, x, y):
     assert np.abs(s.frame.program_size[1] - place[1]) <= LARGEST_PLACE
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 @given(sights(), st.floats(0, 2 * np.pi))
 def test_farther_from_the_axis_is_farther_out(s, azimuth):
     phi = np.linspace(0, np.radians(179), 400)
@@ -72,7 +72,7 @@ def test_farther_from_the_axis_is_farther_out(s, azimuth):
     assert out[-1] > 10_000
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=200)
 @given(sights(), st.floats(-2, 2), st.floats(-1.5, 1.5), st.floats(0.2, 90))
 def test_a_point_in_space_is_pointed_at_where_it_lands(s, x, y, distance):
     """The dome's picture of a point and gluProject's meet, by the matrices alone."""
@@ -87,7 +87,7 @@ def test_a_point_in_space_is_pointed_at_where_it_lands(s, x, y, distance):
     assert np.abs(s.to_program(landed) - on_monitor).max() < 0.5
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=200)
 @given(sights(), st.floats(0.3, 80), st.floats(0, 1), st.floats(0, 1))
 def test_a_depth_of_the_dome_becomes_the_monitors(s, distance, x, y):
     direction = s.directions(np.array([x, y]) * s.frame.program_size)
