@@ -53,7 +53,7 @@ class ArrayDraws:
         known = self._standing.get(draw.key)
         if known is None:
             by_number = partial(self._by_number, cache(draw.numbers))
-            known = Standing(draw.read(), self._context, self._submitter, self._lists, by_number)
+            known = Standing(draw.read, self._context, self._submitter, self._lists, by_number)
             self._standing[draw.key] = known
         return known
 

@@ -67,7 +67,7 @@ class ListedMesh:
         self._context = context
         self._submitter = submitter
         self._whole = lists.compile(lambda: submitter.draw_whole(run))
-        self._standing = Standing(run, context, submitter, lists, self._by_number)
+        self._standing = Standing(lambda: run, context, submitter, lists, self._by_number)
         self._upload: Upload | None = None
         """The run in a buffer, once some of its primitives are to be drawn."""
 

@@ -48,7 +48,7 @@ class Limit:
 
     def at(self, behind: float) -> float:
         """The limit of an edge that is nowhere closer to straight behind than this."""
-        return float(self._near(np.array(behind)))
+        return self.widest if self.least == 1 else float(self._near(np.array(behind)))
 
     def of_edges(self, directions: Floats, angles: Floats, lengths: Floats) -> Floats:
         """The limit of each edge, by its ends alone. directions: (m, corners, 3); lengths: (m, corners).

@@ -31,13 +31,14 @@ class Standing:
 
     def __init__(
         self,
-        run: Run,
+        read: Callable[[], Run],
         context: DomeContext,
         submitter: Submitter,
         lists: DisplayLists,
         by_number: ByNumber,
     ) -> None:
-        self._run = run
+        """read: gives the run; it is kept once it is needed in pieces."""
+        self._read = read
         self._context = context
         self._lists = lists
         self._submitter = submitter
@@ -95,7 +96,11 @@ class Standing:
 
     @cached_property
     def _extent(self) -> Extent | None:
-        return extent_of(self._run)
+        return extent_of(self._read())
+
+    @cached_property
+    def _run(self) -> Run:
+        return self._read()
 
     @cached_property
     def _primitives(self) -> Primitives | None:

@@ -127,7 +127,7 @@ class Subdividing:
     @property
     def even_w(self) -> bool:
         """Places drawn now all have the w that they were given, times one number: none is behind infinity."""
-        return not self.to_eye[3, :3].any()
+        return not any(self._to_eye(self._context.seen.placement)[3:12:4])
 
     @cached_property
     def method(self) -> Method | None:

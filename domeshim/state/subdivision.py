@@ -101,6 +101,7 @@ class Tolerance:
         least = self.left_out * (_SEATED if orientation.off_centre else 1.0)
         self.least = min(least, 1.0) if lens.singular else 1.0
         """The same as the viewer sees it, where it makes edges be cut finer, else 1."""
+        self._limits: dict[float, Limit] = {}
         quick = not self._always and self.least == 1
         whole = min(1 / self.detail, math.pi / 2) if quick else 0.0
         self.far = 0.5 / math.tan(whole / 2) if whole else math.inf
@@ -108,7 +109,9 @@ class Tolerance:
 
     def limit(self, widest: float) -> Limit:
         """The limit to edges of at most this angle, radians, away from straight behind."""
-        return Limit(widest, self.aft, self.least, 1 / self.detail)
+        if widest not in self._limits:
+            self._limits[widest] = Limit(widest, self.aft, self.least, 1 / self.detail)
+        return self._limits[widest]
 
     def broken_by(self, angle: float, behind: float = math.pi) -> bool:
         """An edge of this angle is off by too much as one straight piece.

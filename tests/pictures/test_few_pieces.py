@@ -96,3 +96,29 @@ def test_a_colour_from_before_goes_on(beside, replayed):
     assert lower[0] > 0
     assert upper.tolist() == [255, 0, 0]
     assert len(replayed) == 1
+
+
+@pytest.mark.parametrize("last", [(-1, 1), (-1, 0.6)], ids=["parallelogram", "no parallelogram"])
+def test_a_quad_as_from_arrays(beside, replayed, last):
+    corners = [(x, y, -5) for x, y in ((-1, -1), (1, -0.8), (1, 1.2), last)]
+
+    def one_by_one(gl):
+        perspective(gl)
+        gl.glBegin(gl.GL_QUADS)
+        for corner in corners:
+            gl.glVertex3f(*corner)
+        gl.glEnd()
+
+    def from_arrays(gl):
+        perspective(gl)
+        gl.glEnableClientState(gl.GL_VERTEX_ARRAY)
+        gl.glVertexPointer(3, gl.GL_FLOAT, 0, np.array(corners, np.float32))
+        gl.glDrawArrays(gl.GL_QUADS, 0, 4)
+        gl.glDisableClientState(gl.GL_VERTEX_ARRAY)
+
+    one, other = (
+        beside.through_dome(scene, (SIZE, SIZE), fov=180.0).picture for scene in (one_by_one, from_arrays)
+    )
+    assert one.any()
+    assert (one == other).all()
+    assert [args[5] is not None for args in replayed] == [last == (-1, 1)]  # in an order of its own

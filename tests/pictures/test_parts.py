@@ -1,12 +1,14 @@
 """Large meshes: long edges cost only where they are, and what was split for a view is kept for it."""
 
 import ctypes
+import gc
 
 import numpy as np
 import pytest
 
 from domeshim.draw import subdivide
 from domeshim.draw.upload import Upload
+from domeshim.record.runs import Run
 from domeshim.state.context import DomeContext
 from tests.pictures.test_subdivision import from_array, from_buffer, immediately, listed, perspective
 
@@ -164,6 +166,30 @@ def test_what_is_blended_keeps_its_order(beside, way):
     assert {(128, 64, 0), (64, 0, 128)} <= {tuple(round(v / 64) * 64 for v in colour) for colour in seen}
     off = (np.abs(picture.astype(int) - everywhere).max(-1) > 2).sum()
     assert off < 0.01 * SIZE**2  # single pixels on the edges of 968 quads
+
+
+def test_of_a_far_mesh_in_buffers_only_its_size_is_kept(beside):
+    near = np.array([(0, 0, -5), (0.1, 0, -5), (0, 0.1, -5)], np.float32)
+    kept = []
+
+    def scene(gl):
+        perspective(gl)
+        data = np.tile(near, (1000, 1))
+        gl.glBindBuffer(gl.GL_ARRAY_BUFFER, gl.glGenBuffers(1))
+        gl.glBufferData(gl.GL_ARRAY_BUFFER, data.nbytes, data, gl.GL_STATIC_DRAW)
+        gl.glEnableClientState(gl.GL_VERTEX_ARRAY)
+        gl.glVertexPointer(3, gl.GL_FLOAT, 0, None)
+        for z in (0, 4.9):
+            gl.glLoadIdentity()
+            gl.glTranslatef(0, 0, z)
+            gl.glDrawArrays(gl.GL_TRIANGLES, 0, len(data))
+            gc.collect()
+            kept.append(sum(len(each.positions) for each in gc.get_objects() if isinstance(each, Run)))
+        gl.glDisableClientState(gl.GL_VERTEX_ARRAY)
+        gl.glBindBuffer(gl.GL_ARRAY_BUFFER, 0)
+
+    beside.through_dome(scene, (SIZE, SIZE), fov=180.0)
+    assert kept[1] - kept[0] == 3000
 
 
 def test_indices_in_the_programs_own_array_object(beside):
