@@ -16,11 +16,11 @@ import numpy as np
 from OpenGL import GL
 
 from domeshim import session as sessions
-from domeshim.draw.flat_pixels import Bitmap
 from domeshim.GLUT.typefaces.load import typefaces
 from domeshim.GLUT.typefaces.names import FONTS, font_of
 
 if TYPE_CHECKING:
+    from domeshim.draw.flat_pixels import Bitmap
     from domeshim.GLUT.typefaces.faces import BitmapFace, StrokeFace
 
 __all__ = [
@@ -163,6 +163,8 @@ def _draw_bitmaps(face: BitmapFace, lines: Sequence[bytes]) -> None:
 
 def _bitmaps(face: BitmapFace, lines: Sequence[bytes]) -> list[Bitmap]:
     """The same as bitmaps one after the other."""
+    from domeshim.draw.flat_pixels import Bitmap  # noqa: PLC0415 - only a program that writes pays
+
     found: list[Bitmap] = []
     for number, line in enumerate(lines):
         if number > 0:
@@ -174,6 +176,8 @@ def _bitmaps(face: BitmapFace, lines: Sequence[bytes]) -> list[Bitmap]:
 
 @lru_cache(maxsize=2048)
 def _bitmap(face: BitmapFace, code: int) -> Bitmap:
+    from domeshim.draw.flat_pixels import Bitmap  # noqa: PLC0415 - as above
+
     glyph = face.glyphs[code]
     rows = np.frombuffer(glyph.rows, np.uint8).reshape(face.height, -1)
     pixels = np.unpackbits(rows, axis=1)[:, : glyph.width].tobytes()

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from domeshim.draw.flat_pixels import Bitmap
 from domeshim.intercept.dome import Dome
 
 if TYPE_CHECKING:
@@ -51,6 +50,8 @@ def bitmap(dome: Dome, original: Call) -> Call:
         context, building = dome.context, dome.building
         if context is None or len(more) != 5 or (building is None and not context.panel.due):
             return draw(width, height, *more)
+        from domeshim.draw.flat_pixels import Bitmap  # noqa: PLC0415 - only a program with bitmaps pays
+
         try:
             read = Bitmap.read(context.driver, width, height, more[:4], more[4])
         except ValueError:

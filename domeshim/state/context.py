@@ -9,8 +9,8 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable
 from dataclasses import replace
-from functools import partial
-from typing import Any
+from functools import cached_property, partial
+from typing import TYPE_CHECKING, Any
 
 from domeshim.draw.canvas import canvas_of
 from domeshim.driver import Driver
@@ -23,7 +23,6 @@ from domeshim.shading.recipe import Patch, Recipe, Scene
 from domeshim.state.binding import Binding
 from domeshim.state.dresser import Dresser
 from domeshim.state.own_programs import OwnPrograms
-from domeshim.state.panel_pixels import PanelPixels
 from domeshim.state.perspective import Matrix
 from domeshim.state.placement import MainView, Placement, Placer
 from domeshim.state.raster import RasterPoints
@@ -34,6 +33,9 @@ from domeshim.state.views import View
 from domeshim.state.whereabouts import MODELVIEW, PROJECTION, Seen, Whereabouts
 from domeshim.state.window_pixels import WindowPixels
 from domeshim.window.frame import Frame, Rectangle
+
+if TYPE_CHECKING:
+    from domeshim.state.panel_pixels import PanelPixels
 
 _TEXTURE, _RASTERIZER_DISCARD = 0x1702, 0x8C89
 _PATCH_VERTICES, _CURRENT_AND_LIGHTING_BITS = 0x8E72, 0x0041
@@ -61,7 +63,6 @@ class DomeContext:
         """Draws are coloured by how finely they are subdivided."""
         self.binding = Binding(self)
         self.pixels = WindowPixels(self, options)
-        self.panel = PanelPixels(self, options)
         self.subdividing = Subdividing(self, options)
         self._bypasses: set[str] = set()
         self._passing = False
@@ -84,6 +85,13 @@ class DomeContext:
         """The vertex programs made for this context, by what they are for."""
         stage = self.own.fragments
         return self._dresser.wardrobe.programs | (stage.programs if stage is not None else {})
+
+    @cached_property
+    def panel(self) -> PanelPixels:
+        """Draws bitmaps and images flat onto the panel."""
+        from domeshim.state.panel_pixels import PanelPixels  # noqa: PLC0415 - only a program that has any pays
+
+        return PanelPixels(self, self._options)
 
     # What a call changed.
 

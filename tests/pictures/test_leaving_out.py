@@ -197,6 +197,7 @@ LEFT_OUT = (
     *("domeshim.GLUT.typefaces.layout", "domeshim.GLUT.typefaces.substitute"),
     *("domeshim.draw.arrays", "domeshim.draw.atlas", "domeshim.draw.clear", "domeshim.draw.cubemap"),
     *("domeshim.draw.finish", "domeshim.draw.finishing", "domeshim.draw.resampling", "domeshim.draw.tiles"),
+    *("domeshim.draw.flat_pixels", "domeshim.draw.levels", "domeshim.state.panel_pixels"),
     *("domeshim.intercept.quadrics.calls", "domeshim.intercept.quadrics.shapes"),
     *("domeshim.intercept.toolkits.pygame", "domeshim.intercept.toolkits.qt"),
     *("domeshim.lens.card", "domeshim.lens.cylinder", "domeshim.lens.fit", "domeshim.lens.measured"),
@@ -261,5 +262,6 @@ def test_what_a_program_uses_is_loaded_then():
     more += "; glClear(GL_COLOR_BUFFER_BIT); glGetFloatv(GL_CURRENT_RASTER_POSITION)"
     more += "; gluSphere(gluNewQuadric(), 0.1, 8, 8)"
     used = {"domeshim.GLUT.typefaces.layout", "domeshim.draw.clear", "domeshim.state.monitor_raster"}
-    used.add("domeshim.intercept.quadrics.shapes")
+    more += "; glBitmap(8, 1, 0, 0, 8, 0, b'a')"
+    used |= {"domeshim.intercept.quadrics.shapes", "domeshim.state.panel_pixels"}
     assert modules_of_a_program(more) >= used
