@@ -55,7 +55,7 @@ def test_the_page_counts_and_lists_all():
     assert "5 programs, 4 of which run natively" in text
     assert "3 of those 4 run with DOME=1" in text
     assert "3 of them set a perspective" in text
-    assert "1 are\n  within the limit, 1 over it" in text
+    assert "1 are\n  within the limit, and 1 more where lines" in text
     assert "3 of the 4 show stock" in text
     assert "| `old.py` | SyntaxError: a &lt; b \\| c |" in text
     assert "`part.py`." in text
