@@ -43,8 +43,8 @@ Pictures of {SIZE} x {SIZE} pixels, number {FRAME} of each program; limit {LIMIT
   either picture, in a colour that the other does not show within 2 pixels (`domeshim/measure/match.py`).
 - **dome at {FINE_SIZE}**: for programs over the limit, the same where our picture is taken at {FINE_SIZE}
   pixels and scaled down to {SIZE}. A line is a pixel wide on a face and on the dome alike, but in the middle
-  of the view the dome's pixels are pi/2 times as wide as a face's: so lines are, at any size that both pictures
-  have in common, pi/2 times as wide as the reference's. At {FINE_SIZE} pixels they are alike.
+  of the view the dome's pixels are pi/2 times as wide as a face's: so lines are, at any size that both
+  pictures have in common, pi/2 times as wide as the reference's. At {FINE_SIZE} pixels they are alike.
   Where that settles the difference, the remark says *thin lines*.
 - **monitor**: the same share for `--mode monitor` against the program's own picture by stock PyOpenGL and
   freeglut.

@@ -154,6 +154,21 @@ class Draws:
         context, lists = current.context, current.lists
         lists.keep_mesh(lambda: ListedBitmap(context, lists.compile(draw), bitmap))
 
+    def draw_once(self, draw: Callable[[], object], *, curve: bool) -> object:
+        """Make a draw, in each view, whose call may be made but once; curve: it is of lines."""
+        context, lists = self.context, self.lists
+        assert context is not None
+        assert lists is not None
+        if self.listed(draw, curve=curve):
+            return None
+        patch = context.subdividing.line_patch if curve else None
+        if not context.several:
+            return context.draw(draw, patch)
+        name = lists.compile(draw)
+        context.draw_list(name, patch)
+        context.driver.glDeleteLists(name, 1)
+        return None
+
     def draw_arrays(self, mode: int, indices: range | Elements) -> bool:
         """Draw from the program's vertex arrays where that needs more than GL's own draw; False where not."""
         current = self._current

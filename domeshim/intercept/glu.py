@@ -12,7 +12,7 @@ import numpy as np
 
 from domeshim.intercept import gl
 from domeshim.intercept.dome import Dome
-from domeshim.intercept.state_calls import draw, draw_curve, kept_in_lists, read
+from domeshim.intercept.state_calls import draw, draw_nurbs, kept_in_lists, read
 from domeshim.state.perspective import perspective
 
 if TYPE_CHECKING:
@@ -78,7 +78,8 @@ _UNSEEN = frozenset(("gluErrorString", "gluGetString", "gluNewQuadric", "gluNewT
 _CALLS: Mapping[str, Callable[[Dome, Call], Call]] = {
     "gluPerspective": kept_in_lists(_perspective),
     "gluLookAt": kept_in_lists(_look_at),
-    **dict.fromkeys(("gluSphere", "gluCylinder", "gluDisk", "gluPartialDisk", "gluEndSurface"), draw),
-    "gluEndCurve": draw_curve,
+    **dict.fromkeys(("gluSphere", "gluCylinder", "gluDisk", "gluPartialDisk"), draw),
+    "gluEndCurve": draw_nurbs(curve=True),
+    "gluEndSurface": draw_nurbs(curve=False),
     **dict.fromkeys(("gluProject", "gluUnProject", "gluUnProject4", "gluPickMatrix"), read),
 }

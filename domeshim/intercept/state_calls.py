@@ -66,26 +66,37 @@ def draw(dome: Dome, original: Call) -> Call:
     return call
 
 
-def draw_curve(dome: Dome, original: Call) -> Call:
-    """A call that draws lines whose vertices GL or GLU makes."""
+def draw_nurbs(*, curve: bool) -> Maker:
+    """gluEndCurve and gluEndSurface: they draw what was begun, and end it."""
 
-    def call(*args: Any, **named: Any) -> Any:
+    def make(dome: Dome, original: Call) -> Call:
+        def call(*args: Any, **named: Any) -> Any:
+            drawn = partial(original, *args, **named)
+            if dome.context is None:
+                return drawn()
+            dome.drawing()
+            return dome.draw_once(drawn, curve=curve)
+
+        return call
+
+    return make
+
+
+def evaluated_curve(dome: Dome, original: Call) -> Call:
+    """glEvalMesh1."""
+    points = draw(dome, original)
+
+    def call(mode: int, *limits: int) -> Any:
         context = dome.context
-        if context is None:
-            return original(*args, **named)
+        if context is None or int(mode) != _LINE:
+            return points(mode, *limits)
         dome.drawing()
-        drawn = partial(original, *args, **named)
+        drawn = partial(original, mode, *limits)
         if dome.listed(drawn, curve=True):
             return None
         return context.draw(drawn, context.subdividing.line_patch)
 
     return call
-
-
-def evaluated_curve(dome: Dome, original: Call) -> Call:
-    """glEvalMesh1."""
-    points, lines = draw(dome, original), draw_curve(dome, original)
-    return lambda mode, *limits: (lines if int(mode) == _LINE else points)(mode, *limits)
 
 
 def read(dome: Dome, original: Call) -> Call:

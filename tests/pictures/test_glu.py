@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.pictures.beside import FOV, GL, Beside, checks, looking
+from tests.pictures.beside import FOV, GL, SIZE, Beside, Scene, checks, looking
 
 STYLES = ("GLU_FILL", "GLU_LINE", "GLU_SILHOUETTE", "GLU_POINT")
 NORMALS = ("GLU_SMOOTH", "GLU_FLAT", "GLU_NONE")
@@ -144,43 +144,53 @@ def test_tessellated_in_a_list(beside: Beside) -> None:
     beside.equal(scene, wrong=0.004)
 
 
+def nurbs_surface(gl: GL, *, outline: bool = False) -> None:
+    looking(gl)
+    for what in (gl.GL_LIGHTING, gl.GL_LIGHT0, gl.GL_AUTO_NORMAL, gl.GL_NORMALIZE):
+        gl.glEnable(what)
+    nurbs = gl.gluNewNurbsRenderer()
+    gl.gluNurbsProperty(nurbs, gl.GLU_SAMPLING_TOLERANCE, 10)
+    gl.gluNurbsProperty(nurbs, gl.GLU_DISPLAY_MODE, gl.GLU_OUTLINE_POLYGON if outline else gl.GLU_FILL)
+    knots = np.array([0, 0, 0, 0, 1, 1, 1, 1], np.float32)
+    points = np.array(
+        [
+            [[i / 2 - 0.75, j / 2 - 0.75, 0.8 if 0 < i < 3 and 0 < j < 3 else 0] for j in range(4)]
+            for i in range(4)
+        ],
+        np.float32,
+    )
+    gl.glRotatef(-40, 1, 0, 0)
+    gl.gluBeginSurface(nurbs)
+    gl.gluNurbsSurface(nurbs, knots, knots, points, gl.GL_MAP2_VERTEX_3)
+    gl.gluEndSurface(nurbs)
+
+
+def nurbs_curve(gl: GL) -> None:
+    looking(gl)
+    nurbs = gl.gluNewNurbsRenderer()
+    knots = np.array([0, 0, 0, 0, 1, 1, 1, 1], np.float32)
+    points = np.array([(-0.7, -0.5, 0), (-0.2, 0.9, 0), (0.2, -0.9, 0), (0.7, 0.5, 0)], np.float32)
+    gl.glLineWidth(3)
+    gl.gluBeginCurve(nurbs)
+    gl.gluNurbsCurve(nurbs, knots, points, gl.GL_MAP1_VERTEX_3)
+    gl.gluEndCurve(nurbs)
+
+
 @pytest.mark.parametrize("outline", [False, True])
 def test_nurbs_surface(beside: Beside, outline: bool) -> None:
-    def scene(gl: GL) -> None:
-        looking(gl)
-        for what in (gl.GL_LIGHTING, gl.GL_LIGHT0, gl.GL_AUTO_NORMAL, gl.GL_NORMALIZE):
-            gl.glEnable(what)
-        nurbs = gl.gluNewNurbsRenderer()
-        gl.gluNurbsProperty(nurbs, gl.GLU_SAMPLING_TOLERANCE, 10)
-        gl.gluNurbsProperty(nurbs, gl.GLU_DISPLAY_MODE, gl.GLU_OUTLINE_POLYGON if outline else gl.GLU_FILL)
-        knots = np.array([0, 0, 0, 0, 1, 1, 1, 1], np.float32)
-        points = np.array(
-            [
-                [[i / 2 - 0.75, j / 2 - 0.75, 0.8 if 0 < i < 3 and 0 < j < 3 else 0] for j in range(4)]
-                for i in range(4)
-            ],
-            np.float32,
-        )
-        gl.glRotatef(-40, 1, 0, 0)
-        gl.gluBeginSurface(nurbs)
-        gl.gluNurbsSurface(nurbs, knots, knots, points, gl.GL_MAP2_VERTEX_3)
-        gl.gluEndSurface(nurbs)
-
-    beside.equal(scene, name=f"nurbs {outline}", wrong=0.004)
+    beside.equal(lambda gl: nurbs_surface(gl, outline=outline), name=f"nurbs {outline}", wrong=0.004)
 
 
 def test_nurbs_curve(beside: Beside) -> None:
-    def scene(gl: GL) -> None:
-        looking(gl)
-        nurbs = gl.gluNewNurbsRenderer()
-        knots = np.array([0, 0, 0, 0, 1, 1, 1, 1], np.float32)
-        points = np.array([(-0.7, -0.5, 0), (-0.2, 0.9, 0), (0.2, -0.9, 0), (0.7, 0.5, 0)], np.float32)
-        gl.glLineWidth(3)
-        gl.gluBeginCurve(nurbs)
-        gl.gluNurbsCurve(nurbs, knots, points, gl.GL_MAP1_VERTEX_3)
-        gl.gluEndCurve(nurbs)
+    beside.equal(nurbs_curve, wrong=0.006)
 
-    beside.equal(scene, wrong=0.006)
+
+@pytest.mark.parametrize("scene", [nurbs_surface, nurbs_curve])
+def test_nurbs_are_in_both_eyes(beside: Beside, scene: Scene) -> None:
+    both = beside.through_dome(scene, (2 * SIZE, SIZE), stereo="left-right", eyes=1e-4).picture
+    lit = [int((half.max(-1) > 100).sum()) for half in np.split(both, 2, axis=1)]
+    assert lit[0] > 500
+    assert abs(lit[1] - lit[0]) < 0.02 * lit[0]
 
 
 def test_projections_answer_as_on_the_monitor(beside: Beside) -> None:
