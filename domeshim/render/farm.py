@@ -95,13 +95,19 @@ class Farm:
     """
 
     def __init__(
-        self, workers: int, cluster: str | None = None, chunk: int = 24, seed: int | None = None
+        self,
+        workers: int,
+        cluster: str | None = None,
+        chunk: int = 24,
+        seed: int | None = None,
+        patience: float = 10.0,
     ) -> None:
-        """seed: hands out the chunks in an order of its own."""
+        """seed: hands out the chunks in an order of its own; patience: seconds for a scheduler to answer."""
         self._workers = workers
         self._cluster = cluster
         self._chunk = chunk
         self._seed = seed
+        self._patience = patience
 
     def make(self, plan: Plan, frames: list[int], progress: Progress) -> Iterator[Made]:  # noqa: ARG002 - the crew's
         """Make these pictures; a chunk's come together, when the last of them is made.
@@ -145,11 +151,11 @@ class Farm:
                 n_workers=self._workers,
                 threads_per_worker=1,
                 dashboard_address=":0",
-                env=_shared_cores(self._workers),
+                env=shared_cores(self._workers),
             )
             return stack.enter_context(Client(stack.enter_context(cluster)))
         try:
-            return stack.enter_context(Client(self._cluster, timeout=10))
+            return stack.enter_context(Client(self._cluster, timeout=self._patience))
         except (OSError, ValueError) as error:
             raise DomeError(f"--cluster={self._cluster}: no scheduler answers there ({error})") from None
 
@@ -164,7 +170,7 @@ def _hear_interrupts() -> None:
     signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
 
 
-def _shared_cores(workers: int) -> dict[str, str]:
+def shared_cores(workers: int) -> dict[str, str]:
     """What each of so many workers on this machine finds in its environment."""
     return {} if _RASTER_THREADS in os.environ else {_RASTER_THREADS: _share(workers)}
 

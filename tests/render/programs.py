@@ -97,20 +97,34 @@ def before():
 """Wide lines, large points and text."""
 SHARDS = """
 import random
+def own_program():
+    shader = glCreateShader(GL_VERTEX_SHADER)
+    glShaderSource(shader, "void main() { gl_Position = ftransform(); gl_FrontColor = gl_Color; }")
+    glCompileShader(shader)
+    program = glCreateProgram()
+    glAttachShader(program, shader)
+    glLinkProgram(program)
+    return program
+def shards(count, size):
+    glBegin(GL_TRIANGLES)
+    for _ in range(count):
+        x, y, z = (random.uniform(-4, 4) for _ in "xyz")
+        glColor3f(*(random.random() for _ in "rgb"))
+        for _ in range(3):
+            glVertex3f(x + random.uniform(-size, size), y + random.uniform(-size, size), z)
+    glEnd()
 def before():
     clear()
     glPushMatrix(); glLoadIdentity()
     glShadeModel(GL_FLAT)
-    glBegin(GL_TRIANGLES)
-    for _ in range(20000):
-        x, y, z = (random.uniform(-4, 4) for _ in "xyz")
-        glColor3f(*(random.random() for _ in "rgb"))
-        for _ in range(3):
-            glVertex3f(x + random.uniform(-0.1, 0.1), y + random.uniform(-0.1, 0.1), z)
-    glEnd()
+    shards(10000, 0.1)
+    shards(40, 1)
+    glUseProgram(own_program())
+    shards(10000, 0.1)
+    glUseProgram(0)
     glPopMatrix()
 """
-"""Many edges, and nothing that is interpolated."""
+"""Many edges, some long, some by its own GLSL, and nothing that is interpolated."""
 LISTS = """
 def before():
     clear()

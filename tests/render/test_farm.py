@@ -21,16 +21,23 @@ def test_workers_make_the_same_files_in_any_order(make_plan, progress):
     assert not manifest.notes
 
 
-def test_worker_with_several_threads_runs_a_program_in_each(make_plan, progress):
+def test_worker_with_several_threads_runs_a_program_in_each(make_plan, progress, tmp_path, monkeypatch):
+    from dask.system import CPU_COUNT
     from distributed import LocalCluster
 
-    alone, farmed = make_plan(1, 12, "alone"), make_plan(1, 12, "farmed")
+    threads = tmp_path / "threads"
+    writes = CLEARS + f"\nopen({str(threads)!r}, 'a').write(os.environ.get('LP_NUM_THREADS', '-') + ' ')\n"
+    monkeypatch.delenv("LP_NUM_THREADS", raising=False)
+    alone, farmed = (make_plan(1, 12, name, writes) for name in ("alone", "farmed"))
     render(alone, Alone(), progress)
     with LocalCluster(n_workers=1, threads_per_worker=2, dashboard_address=":0") as cluster:
         manifest = render(farmed, Farm(0, cluster.scheduler_address, chunk=2), progress)
     assert not manifest.failed
     assert contents(farmed) == contents(alone)
     assert len(contents(alone)) == 12
+    first, *others = threads.read_text().split()
+    assert (first, set(others)) == ("-", {str(max(CPU_COUNT // 2, 1))})
+    assert len(others) >= 2
 
 
 def test_lost_worker_loses_nothing(make_plan, progress, tmp_path):
@@ -48,20 +55,20 @@ def test_program_that_goes_by_chance_is_found(make_plan, progress):
     assert "picture 3 came out differently" in manifest.notes[0]
 
 
-def test_workers_share_the_cores(make_plan, progress, tmp_path, monkeypatch):
+def test_workers_share_the_cores(monkeypatch):
     from dask.system import CPU_COUNT
 
-    does = CLEARS + "\nopen(sys.argv[1], 'a').write(os.environ['LP_NUM_THREADS'] + ' ')\n"
+    from domeshim.render.farm import shared_cores
+
     monkeypatch.delenv("LP_NUM_THREADS", raising=False)
-    render(make_plan(1, 1, "shared", does, (str(tmp_path / "shared.txt"),)), Farm(1), progress)
+    assert shared_cores(1) == {"LP_NUM_THREADS": str(CPU_COUNT)}
+    assert shared_cores(CPU_COUNT + 1) == {"LP_NUM_THREADS": "1"}
     monkeypatch.setenv("LP_NUM_THREADS", "3")
-    render(make_plan(1, 1, "told", does, (str(tmp_path / "told.txt"),)), Farm(1), progress)
-    assert (tmp_path / "shared.txt").read_text().split() == [str(CPU_COUNT)]
-    assert (tmp_path / "told.txt").read_text().split() == ["3"]
+    assert shared_cores(1) == {}
 
 
 def test_unknown_scheduler_is_one_clear_error(make_plan, progress):
     from domeshim.errors import DomeError
 
     with pytest.raises(DomeError, match="no scheduler answers"):
-        render(make_plan(1, 2, does=CLEARS), Farm(0, "tcp://127.0.0.1:9"), progress)
+        render(make_plan(1, 2, does=CLEARS), Farm(0, "tcp://127.0.0.1:9", patience=1), progress)
