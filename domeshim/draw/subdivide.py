@@ -24,6 +24,9 @@ _LINE_STIPPLE, _SHADE_MODEL, _FLAT = 0x0B24, 0x0B54, 0x1D00
 _POLYGON_MODE, _CULL_FACE = 0x0B40, 0x0B44
 
 
+_FEW_PIECES = 4
+"""Where no edge has more, looking for quads among triangles costs more than it saves."""
+
 Making = Callable[[Callable[[], object]], object]
 """Makes a draw where it belongs, as often as there are views."""
 
@@ -107,6 +110,8 @@ def _draw_chosen(
         indices, subdivision = primitives.indices[numbers], choice.subdivisions[level]
         if subdivision is None:
             drawer.draw_some(mode, run, indices, context.draw)
+        elif level == 1 and choice.pieces <= _FEW_PIECES and subdivision.method == "tessellate":
+            draw_patches(taken(run, indices), primitives.kind, context, drawer, subdivision)
         else:
             piece = replace(taken(run, indices), blocks=(Block(mode, 0, indices.size),))
             subdivide(piece, context, drawer, subdivision, None)

@@ -117,7 +117,7 @@ class Subdividing:
             return choice
         whole = Subdivision(None, self.tolerance.limit(math.pi), split=False)
         needed = (each or whole for each in choice.subdivisions)
-        return Choice(choice.levels, tuple(each._replace(lengthened=True) for each in needed))
+        return choice._replace(subdivisions=tuple(each._replace(lengthened=True) for each in needed))
 
     @property
     def to_eye(self) -> Matrix:

@@ -60,6 +60,8 @@ class Choice(NamedTuple):
     """(n,)"""
     subdivisions: tuple[Subdivision | None, ...]
     """By level: what stays whole, what is cut in pieces, what is split first."""
+    pieces: float
+    """No edge of level 1 needs more than about so many."""
 
 
 def method_of(wanted: str, driver: Driver, say: Callable[[str], None]) -> Method | None:
@@ -151,7 +153,8 @@ class Tolerance:
         levels[near] = 1
         if self.least < 1 or (angles[near] > limit.widest).any():
             levels[near[_over(corners[near], to_eye, limit)]] = 2
-        return Choice(levels, (None, *(Subdivision(self._method, limit, split) for split in (False, True))))
+        subdivisions = (None, *(Subdivision(self._method, limit, split) for split in (False, True)))
+        return Choice(levels, subdivisions, self.detail * float(angles[levels == 1].max(initial=0.0)))
 
     def _widest(self, scene: Callable[[], Scene]) -> Limit:
         """The limit to edges that the method draws well."""

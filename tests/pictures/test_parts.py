@@ -229,3 +229,26 @@ def test_indices_in_the_programs_own_array_object(beside):
     assert picture.any(-1).mean() > 0.2
     off = (np.abs(picture.astype(int) - everywhere).max(-1) > 8).sum()
     assert off < 0.005 * SIZE**2
+
+
+@pytest.mark.parametrize(("width", "looks"), [(0.014, False), (0.2, True)])
+def test_quads_are_looked_for_where_there_are_pieces_to_save(beside, monkeypatch, width, looks):
+    """Two triangles for each of 100 panels around the viewer."""
+    found = []
+    as_quads = subdivide.as_quads
+
+    def spy(*args, **named):
+        found.append(args)
+        return as_quads(*args, **named)
+
+    monkeypatch.setattr(subdivide, "as_quads", spy)
+    turns = np.linspace(-0.8, 0.8, 100)
+    panel = [(-1, -1), (1, -1), (1, 1), (-1, -1), (1, 1), (-1, 1)]
+    points = [(np.sin(t) + 5 * width * x, 5 * width * y, -np.cos(t)) for t in turns for x, y in panel]
+
+    def scene(gl):
+        perspective(gl)
+        immediately(gl, gl.GL_TRIANGLES, points)
+
+    assert beside.through_dome(scene, (SIZE, SIZE), fov=180.0, tolerance=0.1).picture.any()
+    assert bool(found) == looks
