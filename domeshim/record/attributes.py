@@ -100,7 +100,10 @@ def material(name: str, face: int, parameter: int, values: Sequence[float]) -> d
         four = (float(values[0]), 0.0, 0.0, 1.0)
     else:
         scale, offset = _conversion(match["type"])
-        r, g, b, a = (scale * v + offset for v in values[:4])
+        given = [scale * v + offset for v in values[:4]]
+        r, g, b, a = (
+            given + [0.0, 0.0, 0.0, 1.0][len(given) :]
+        )  # beyond a short array GL reads what lies there
         four = (r, g, b, a)
     return {f"{side} {part}": four for side in _MATERIAL_FACES.get(face, ()) for part in parts}
 

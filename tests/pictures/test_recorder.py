@@ -204,6 +204,21 @@ def test_material_at_each_vertex(beside: Beside, mode: str, in_list: bool, two_s
         beside.equal(scene, name=name, wrong=0.004)
 
 
+def test_material_of_three_values(beside: Beside) -> None:
+    def scene(gl: GL) -> None:
+        looking(gl, depth=False)
+        for what in (gl.GL_LIGHTING, gl.GL_LIGHT0):
+            gl.glEnable(what)
+        gl.glNormal3f(0, 0, 1)
+        gl.glBegin(gl.GL_TRIANGLES)
+        for x, y in ring(12, False):
+            gl.glMaterial(gl.GL_FRONT_AND_BACK, gl.GL_DIFFUSE, (0.5 + x / 2, 0.5 + y / 2, 1))
+            gl.glVertex2f(x, y)
+        gl.glEnd()
+
+    beside.equal(scene, name="material of three values", wrong=0.004)
+
+
 def test_array_elements(beside: Beside) -> None:
     def scene(gl: GL) -> None:
         looking(gl, depth=False)
