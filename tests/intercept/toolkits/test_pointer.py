@@ -76,11 +76,11 @@ from BINDING.QtGui import QMouseEvent, QWheelEvent
 from BINDING.QtWidgets import QApplication
 from MODULE import KIND
 import scene
-told = []
+told, painted = [], []
 class Cube(KIND):
     def initializeGL(self): scene.start()
     def resizeGL(self, width, height): scene.shape(width, height)
-    def paintGL(self): scene.draw()
+    def paintGL(self): painted.append(scene.draw())
     def mousePressEvent(self, event):
         told.append([event.pos().x(), event.pos().y()])
         event.accept()
@@ -92,6 +92,9 @@ window = Cube()
 window.resize(200, 200)
 window.show()
 def point():
+    if not painted:
+        QTimer.singleShot(100, point)
+        return
     here, there = QPointF(99, 80), QPointF(5, 7)
     press = QEvent.Type.MouseButtonPress
     held = (Qt.MouseButton.LeftButton, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier)
