@@ -174,6 +174,7 @@ def _over(corners: Floats, to_eye: Matrix, limit: Limit) -> NDArray[np.bool_]:
         return np.zeros(0, np.bool_)
     homogeneous = np.concatenate([corners.astype(float), np.ones_like(corners[..., :1])], -1)
     with np.errstate(invalid="ignore"):
-        angles, limits, _ = edges_of(homogeneous @ to_eye.T, limit)
+        eye = (homogeneous.reshape(-1, 4) @ to_eye.T).reshape(homogeneous.shape)  # one product, not n
+        angles, limits, _ = edges_of(eye, limit)
     over: NDArray[np.bool_] = np.logical_not((angles <= limits).all(1))
     return over
