@@ -141,6 +141,10 @@ class Session:
             self._unbent.add(window)
         self.window_current(window)
 
+    def bends(self, window: Window) -> bool:
+        """The window's GL has the fixed function, whose pictures can be bent."""
+        return window not in self._unbent
+
     def window_current(self, window: Window | None) -> None:
         """The program's GL calls go to this window from now on."""
         self._window = window

@@ -63,7 +63,7 @@ _BINDS_FRAMEBUFFER = re.compile(r"gl(Bind|Delete)Framebuffers?")
 _OF_FRAMEBUFFER = re.compile(r"gl(Draw|Read)Buffers?|gl(?!Blit)\w*Framebuffer\w*")
 _UNIFORMS = re.compile(r"glUniform\w+")
 _RECTS = re.compile(r"glRect[dfis](v?)")
-_COLOR_BUFFER_BIT = 0x4000
+_COLOR_BUFFER_BIT, _RENDER_MODE, _RENDER = 0x4000, 0x0C40, 0x1C00
 _UNSEEN = re.compile(r"glGetError|glGetString\w*|glCheckError|glInit\w+")
 """Neither changes anything nor depends on what was drawn."""
 
@@ -92,14 +92,23 @@ def _frame_calls(session: Session, module: ModuleType) -> dict[str, Call]:
         if name in vars(module)
     }
 
+    driver = Driver()
+
+    def draws() -> bool:
+        """Selection and feedback leave the picture as it is."""
+        window = session.window
+        bent = window is not None and session.bends(window)  # elsewhere GL need not know of them
+        return not bent or driver.integer(_RENDER_MODE) == _RENDER
+
     def ending(original: Call) -> Call:
         def call(*_more: object) -> None:
             original()
-            session.flushed()
+            if draws():
+                session.flushed()
 
         return call
 
-    accumulation = Accumulation(Driver())
+    accumulation = Accumulation(driver)
 
     def clearing(original: Call) -> Call:
         def call(mask: int, *_more: object) -> None:

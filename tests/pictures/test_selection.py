@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
+from tests.GLUT.program_runs import run_off_screen
 from tests.pictures.beside import DISTANCE, FOV, GL, SIZE, Beside, looking, sphere
 
 
@@ -93,3 +95,39 @@ def test_feedback(beside: Beside, kind: str) -> None:
 
     answer = beside.equal(scene, name=kind)
     assert len(answer) >= 17
+
+
+PICKS = """
+import sys
+from OpenGL.GL import *
+from domeshim.GLUT import *
+
+def display():
+    glClear(GL_COLOR_BUFFER_BIT)
+    glRectf(-1, -1, 1, 1)
+    glFlush()
+
+def pick(_):
+    glSelectBuffer(64)
+    glRenderMode(GL_SELECT)
+    glInitNames()
+    glPushName(3)
+    glPushName(5)
+    glRectf(-1, -1, 1, 1)
+    glPopName()
+    glFlush()
+    print([[int(n) for n in hit.names] for hit in glRenderMode(GL_RENDER)])
+    sys.exit()
+
+glutInit()
+glutInitDisplayMode(GLUT_SINGLE)
+glutCreateWindow("x")
+glutDisplayFunc(display)
+glutTimerFunc(10, pick, 0)
+glutMainLoop()
+"""
+
+
+def test_a_flush_while_selecting_shows_nothing(tmp_path: Path) -> None:
+    done = run_off_screen(tmp_path, PICKS, "enabled=True")
+    assert (done.stderr, done.stdout) == ("", "[[3, 5]]\n")
