@@ -73,9 +73,9 @@ def room_behind(behind: NDArray[np.floating], least: float) -> NDArray[np.floati
 
     behind: (...), the arc's least angle from straight behind; least: nothing closer is drawn; in radians.
     The share is at most 1, wherever this is more. Where what is drawn ends, the inside of triangles is seen,
-    which is less even than their edges: there pieces are a third shorter. Twin of tessellate/pieces_behind.
+    which is less even than their edges: there pieces are half as long. Twin of tessellate/need_behind.
     """
-    return np.asarray(np.maximum(behind, least) - least / 3)
+    return np.asarray(np.maximum(behind, least) - least / 2)
 
 
 def cone(half_angle: float) -> tuple[float, float]:
