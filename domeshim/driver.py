@@ -9,11 +9,14 @@ from __future__ import annotations
 import ctypes
 import re
 from ctypes import POINTER, c_char_p, c_double, c_float, c_int, c_ssize_t, c_ubyte, c_uint, c_void_p
+from functools import cached_property
 from typing import Any
 
 from domeshim.errors import DriverError
 
-_VERSION = 0x1F02
+OLDEST_GL = (2, 1)
+"""From here on the dome has the GLSL that it needs, 1.20."""
+_VERSION, _EXTENSIONS, _MAX_CLIP_PLANES, _RECTANGLE = 0x1F02, 0x1F03, 0x0D32, 0x84F5
 _INT, _UINT, _ENUM, _FLOAT, _POINTER = c_int, c_uint, c_uint, c_float, c_void_p
 
 _SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
@@ -29,6 +32,8 @@ _SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "glMaterialfv": (None, (_ENUM, _ENUM, POINTER(c_float))),
     "glGetLightfv": (None, (_ENUM, _ENUM, POINTER(c_float))),
     "glGetTexGeniv": (None, (_ENUM, _ENUM, POINTER(c_int))),
+    "glClipPlane": (None, (_ENUM, POINTER(c_double))),
+    "glGetClipPlane": (None, (_ENUM, POINTER(c_double))),
     "glActiveTexture": (None, (_ENUM,)),
     "glViewport": (None, (_INT, _INT, _INT, _INT)),
     "glScissor": (None, (_INT, _INT, _INT, _INT)),
@@ -152,6 +157,12 @@ _SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "glBufferData": (None, (_ENUM, c_ssize_t, _POINTER, _ENUM)),
 }
 
+_EXTENSION_OF = {
+    "glBindVertexArray": "GL_ARB_vertex_array_object",
+    "glBindFramebuffer": "GL_ARB_framebuffer_object",
+}
+"""What OpenGL 2 has by these names: some platforms hand out an address for every name that they know."""
+
 
 class Driver:
     """The GL entry points by name, looked up once; attributes are ctypes functions.
@@ -166,6 +177,8 @@ class Driver:
 
     def has(self, name: str) -> bool:
         """This GL has the entry point."""
+        if name in _EXTENSION_OF and self.legacy and not self.names(_EXTENSION_OF[name]):
+            return False
         try:
             getattr(self, name)
         except DriverError:
@@ -178,11 +191,32 @@ class Driver:
         found = re.match(rb"(\d+)\.(\d+)", self.glGetString(_VERSION) or b"")
         return (int(found[1]), int(found[2])) if found else (0, 0)
 
-    def require(self, version: tuple[int, int]) -> None:
-        """Raise DriverError where the current context's GL is older than this."""
+    @cached_property
+    def legacy(self) -> bool:
+        """This is OpenGL 2: no clip distances, no array or framebuffer objects but by extensions."""
+        return self.version < (3, 0)
+
+    @cached_property
+    def clip_planes(self) -> int:
+        """How many clip planes GL has, up to 8."""
+        return min(self.integer(_MAX_CLIP_PLANES), 8)
+
+    @cached_property
+    def texture_targets(self) -> tuple[int, ...]:
+        """The kinds of texture that the fixed pipeline has: 2D, 1D, 3D, cube map, rectangle."""
+        targets = (0x0DE1, 0x0DE0, 0x806F, 0x8513, _RECTANGLE)
+        lacks = self.legacy and not self.names("GL_ARB_texture_rectangle")
+        return targets[:-1] if lacks else targets
+
+    def names(self, extension: str) -> bool:
+        """This GL lists the extension."""
+        return extension.encode() in (self.glGetString(_EXTENSIONS) or b"").split()
+
+    def require(self, version: tuple[int, int], what: str = "the dome") -> None:
+        """Raise DriverError where the current context's GL is older than what this needs."""
         if self.version < version:
             found, needed = (".".join(map(str, numbers)) for numbers in (self.version, version))
-            raise DriverError(f"this machine's OpenGL is {found}; the dome needs {needed} or later")
+            raise DriverError(f"this machine's OpenGL is {found}; {what} needs {needed} or later")
 
     def integers(self, name: int, count: int) -> tuple[int, ...]:
         """What glGetIntegerv says, as so many integers."""

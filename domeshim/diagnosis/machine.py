@@ -16,6 +16,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from domeshim.driver import OLDEST_GL
 from domeshim.errors import DomeError
 from domeshim.measure.words import last_words
 from domeshim.wording import counted
@@ -124,8 +125,9 @@ def _extensions(gl: Any) -> dict[str, bool]:
 
 def _lacks(gl: Any) -> str:
     """What this GL lacks for any dome at all; nothing if it is enough."""
-    if gl.version < (3, 0):
-        return f"OpenGL {'.'.join(map(str, gl.version))}; the dome needs 3.0"
+    if gl.version < OLDEST_GL:
+        version, oldest = (".".join(map(str, numbers)) for numbers in (gl.version, OLDEST_GL))
+        return f"OpenGL {version}; the dome needs {oldest}"
     if gl.version >= (3, 2) and not gl.integer(_PROFILE_MASK) & _COMPATIBILITY:
         return "a core profile: existing programs need the compatibility profile"
     return ""

@@ -25,8 +25,16 @@ class _Loader:
         """Nothing is held."""
 
 
-def attached(driver: Driver) -> Any:
-    """A moderngl context over the one that is current."""
+OLDEST_GL = (3, 3)
+"""moderngl's own."""
+
+
+def attached(driver: Driver, what: str = "a pass over whole pictures") -> Any:
+    """A moderngl context over the one that is current; what: needs it, in an error's words.
+
+    Raises DriverError where this GL is too old for it.
+    """
+    driver.require(OLDEST_GL, what)
     seamless = driver.glIsEnabled(_SEAMLESS)
     moderngl.init_context(loader=_Loader(driver))
     if not seamless:

@@ -8,15 +8,14 @@ from typing import Literal
 import numpy as np
 
 from domeshim.draw.canvas import Canvas
+from domeshim.draw.numbered import draw_numbered, numbered, source
 from domeshim.draw.over import way_cleared
 from domeshim.driver import Driver
 from domeshim.lens.keystone import WHOLE, Keystone
 from domeshim.lens.landing import Lens
 from domeshim.lens.orientation import Orientation
 from domeshim.lens.radial import RadialLens
-from domeshim.shading.compose import Source
 from domeshim.shading.program import Program
-from domeshim.shading.snippets import snippet
 from domeshim.state.perspective import Matrix
 from domeshim.state.scissor import Edges
 
@@ -48,13 +47,15 @@ class PartClear:
             gl.glDepthRange(0.0, 1.0)
             self._choose_buffers(mask)
             program = self._set_up(canvas.kind, camera, edges)
-            gl.glBindFramebuffer(_DRAW_FRAMEBUFFER, canvas.framebuffer)
+            if gl.has("glBindFramebuffer"):
+                gl.glBindFramebuffer(_DRAW_FRAMEBUFFER, canvas.framebuffer)
             for view in canvas.views:
                 gl.glViewport(*view.viewport)
                 for name, values in view.uniforms:
                     program.set(name, values)
-                gl.glDrawArrays(_TRIANGLES, 0, 6 * _CELLS if canvas.kind == "disc" else 6)
-            gl.glBindFramebuffer(_DRAW_FRAMEBUFFER, 0)
+                draw_numbered(gl, _TRIANGLES, 0, 6 * _CELLS if canvas.kind == "disc" else 6)
+            if canvas.framebuffer:
+                gl.glBindFramebuffer(_DRAW_FRAMEBUFFER, 0)
 
     def _choose_buffers(self, mask: int) -> None:
         gl = self._driver
@@ -80,9 +81,7 @@ class PartClear:
                 "frame/clear.vert",
             )
             names = disc if kind == "disc" else ("frame/clear_face.vert",)
-            vertex = Source.join((name, snippet(name)) for name in names)
-            fragment = Source.join([("frame/clear.frag", snippet("frame/clear.frag"))])
-            self._program = Program(gl, vertex, fragment)
+            self._program = Program(gl, numbered(gl, *names), source(gl, "frame/clear.frag"))
         seen = np.zeros((4, 4))
         seen[[0, 1, 3], :3] = camera @ self._orientation.turn.T
         color = (c_float * 4)()

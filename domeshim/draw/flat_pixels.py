@@ -12,6 +12,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from domeshim.draw.client_arrays import client_arrays
 from domeshim.driver import Driver
 
 Floats = NDArray[np.floating]
@@ -23,12 +24,11 @@ _CELL, _MOST_CELLS = 24, 64
 """An image is cut into cells about so many pixels wide, and so many at most each way: the panel bends it."""
 _LSB_FIRST, _ROW_LENGTH, _SKIP_ROWS, _SKIP_PIXELS, _ALIGNMENT = 0x0CF1, 0x0CF2, 0x0CF3, 0x0CF4, 0x0CF5
 _UNPACK_BUFFER_BINDING = 0x88EF
-_TEXTURE_2D, _TEXTURE0, _TEXTURE_TARGETS = 0x0DE1, 0x84C0, (0x0DE0, 0x0DE1, 0x806F, 0x8513, 0x84F5)
+_TEXTURE_2D, _TEXTURE0 = 0x0DE1, 0x84C0
 _MAG_FILTER, _MIN_FILTER, _WRAP_S, _WRAP_T = 0x2800, 0x2801, 0x2802, 0x2803
-_NEAREST, _MIPMAPS, _TO_EDGE = 0x2600, 0x2703, 0x812F
+_NEAREST, _MIPMAPS, _TO_EDGE, _GENERATE_MIPMAP = 0x2600, 0x2703, 0x812F, 0x8191
 _TEXTURE_ENV, _ENV_MODE, _REPLACE = 0x2300, 0x2200, 0x1E01
-_TEXTURE_AND_ENABLE_BITS, _VERTEX_ARRAY_BIT, _T2F_V3F = 0x42000, 0x2, 0x2A27
-_ARRAY_BUFFER, _ELEMENT_ARRAY_BUFFER = 0x8892, 0x8893
+_TEXTURE_AND_ENABLE_BITS, _T2F_V3F = 0x42000, 0x2A27
 
 
 @dataclass(frozen=True)
@@ -134,17 +134,22 @@ def as_texture(driver: Driver, units: int, load: Callable[[], object]) -> Iterat
     gl.glPushAttrib(_TEXTURE_AND_ENABLE_BITS)
     for unit in reversed(range(units)):
         gl.glActiveTexture(_TEXTURE0 + unit)
-        for target in _TEXTURE_TARGETS:
+        for target in gl.texture_targets:
             gl.glDisable(target)
     gl.glGenTextures(1, name)
     gl.glBindTexture(_TEXTURE_2D, name.value)
-    settings = ((_MAG_FILTER, _NEAREST), (_MIN_FILTER, _MIPMAPS), (_WRAP_S, _TO_EDGE), (_WRAP_T, _TO_EDGE))
+    settings = (
+        (_MAG_FILTER, _NEAREST),
+        (_MIN_FILTER, _MIPMAPS),
+        (_WRAP_S, _TO_EDGE),
+        (_WRAP_T, _TO_EDGE),
+        (_GENERATE_MIPMAP, 1),
+    )
     for setting, value in settings:
         gl.glTexParameteri(_TEXTURE_2D, setting, value)
     gl.glTexEnvi(_TEXTURE_ENV, _ENV_MODE, _REPLACE)
     try:
         load()
-        gl.glGenerateMipmap(_TEXTURE_2D)
         gl.glEnable(_TEXTURE_2D)
         yield
     finally:
@@ -160,11 +165,6 @@ def draw_cells(driver: Driver, width: float, height: float) -> None:
     corners = np.stack([grid[:-1, :-1], grid[:-1, 1:], grid[1:, 1:], grid[1:, :-1]], 2)
     vertices = np.ascontiguousarray(corners.reshape(-1, 5), np.float32)
     gl = driver
-    gl.glPushClientAttrib(_VERTEX_ARRAY_BIT)
-    if gl.has("glBindVertexArray"):
-        gl.glBindVertexArray(0)
-    for target in (_ARRAY_BUFFER, _ELEMENT_ARRAY_BUFFER):
-        gl.glBindBuffer(target, 0)
-    gl.glInterleavedArrays(_T2F_V3F, 0, vertices.ctypes.data)
-    gl.glDrawArrays(_QUADS, 0, len(vertices))
-    gl.glPopClientAttrib()
+    with client_arrays(gl):
+        gl.glInterleavedArrays(_T2F_V3F, 0, vertices.ctypes.data)
+        gl.glDrawArrays(_QUADS, 0, len(vertices))

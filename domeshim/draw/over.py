@@ -17,9 +17,7 @@ _IN_THE_WAY = (
     0x0C11,  # GL_SCISSOR_TEST
     0x0B44,  # GL_CULL_FACE
     0x0B42,  # GL_POLYGON_STIPPLE
-    0x8C89,  # GL_RASTERIZER_DISCARD
     0x8037,  # GL_POLYGON_OFFSET_FILL
-    *range(0x3000, 0x3008),  # GL_CLIP_PLANEi
     0x0B50,  # GL_LIGHTING
     0x0B60,  # GL_FOG, which drawn pixels would get as well, and so the textures:
     0x0DE0,  # GL_TEXTURE_1D
@@ -27,6 +25,7 @@ _IN_THE_WAY = (
     0x806F,  # GL_TEXTURE_3D
     0x8513,  # GL_TEXTURE_CUBE_MAP
 )
+_CLIP_PLANE0, _RASTERIZER_DISCARD = 0x3000, 0x8C89
 
 
 @contextmanager
@@ -39,6 +38,10 @@ def way_cleared(gl: Driver) -> Iterator[None]:
     gl.glPushAttrib(_ALL_ATTRIBUTES)
     for capability in _IN_THE_WAY:
         gl.glDisable(capability)
+    for plane in range(gl.clip_planes):
+        gl.glDisable(_CLIP_PLANE0 + plane)
+    if not gl.legacy:
+        gl.glDisable(_RASTERIZER_DISCARD)
     gl.glPolygonMode(_FRONT_AND_BACK, _FILL)
     gl.glUseProgram(0)
     try:

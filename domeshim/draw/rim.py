@@ -6,12 +6,11 @@ from functools import cached_property
 
 import numpy as np
 
+from domeshim.draw.numbered import draw_numbered, numbered, source
 from domeshim.draw.over import way_cleared
 from domeshim.driver import Driver
 from domeshim.lens.keystone import Keystone
-from domeshim.shading.compose import Source
 from domeshim.shading.program import Program
-from domeshim.shading.snippets import snippet
 from domeshim.window.frame import Frame
 
 _TRIANGLES, _TRIANGLE_STRIP, _SCISSOR_TEST = 0x0004, 0x0005, 0x0C11
@@ -19,10 +18,6 @@ _BEYOND = 4
 """So many pixels beyond the disc's square lines and points may reach where they are not blackened."""
 _RING = 2 * (32 + 1)
 """Vertices of each ring that glsl/frame/rim.vert.glsl makes."""
-
-
-def _source(name: str) -> Source:
-    return Source.join([(name, snippet(name))])
 
 
 class Rim:
@@ -34,13 +29,14 @@ class Rim:
     @cached_property
     def _rings(self) -> tuple[Program, Program]:
         """Over the disc's edge, and from there on."""
-        vertex = _source("frame/rim.vert")
-        edge, outside = _source("frame/rim.frag"), _source("frame/black.frag")
+        vertex = numbered(self._driver, "frame/rim.vert")
+        edge, outside = (source(self._driver, name) for name in ("frame/rim.frag", "frame/black.frag"))
         return Program(self._driver, vertex, edge), Program(self._driver, vertex, outside)
 
     @cached_property
     def _keystone(self) -> Program:
-        return Program(self._driver, _source("frame/whole.vert"), _source("frame/rim_keystone.frag"))
+        gl = self._driver
+        return Program(gl, numbered(gl, "frame/whole.vert"), source(gl, "frame/rim_keystone.frag"))
 
     def draw(self, frame: Frame, radius: float | None) -> None:
         """Blacken all outside the disc; radius: of the picture, 1 the inscribed circle, None: it has none."""
@@ -68,7 +64,7 @@ class Rim:
             self._driver.glUseProgram(program.name)
             program.set("domeDisc", disc)
             program.set("domeFrame", frame.size)
-            self._driver.glDrawArrays(_TRIANGLE_STRIP, ring * _RING, _RING)
+            draw_numbered(self._driver, _TRIANGLE_STRIP, ring * _RING, _RING)
 
     def _around_corners(self, keystone: Keystone, disc: tuple[float, float, float], half: float) -> None:
         """Blacken what is outside a disc whose square, of this half a side, goes to four corners."""
@@ -77,4 +73,4 @@ class Rim:
         program.set("domeDisc", disc)
         program.set("domeHalfSide", (half,))
         program.set("domeToSquare", tuple(np.linalg.inv(keystone.matrix).T.ravel().tolist()))
-        self._driver.glDrawArrays(_TRIANGLES, 0, 3)
+        draw_numbered(self._driver, _TRIANGLES, 0, 3)

@@ -7,13 +7,12 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from domeshim.draw.client_arrays import client_arrays
 from domeshim.draw.extent import Extent
 from domeshim.draw.primitives import extent_of
 from domeshim.driver import Driver
 from domeshim.record.runs import Block, Run
 
-_CLIENT_VERTEX_ARRAY_BIT = 0x2
-_ARRAY_BUFFER, _ELEMENT_ARRAY_BUFFER = 0x8892, 0x8893
 _LAYOUTS = {6: 0x2A25, 8: 0x2A2B}  # GL_N3F_V3F, GL_T2F_N3F_V3F
 _TYPES = {np.dtype(np.uint16): 0x1403, np.dtype(np.uint32): 0x1405}
 
@@ -49,15 +48,7 @@ class Shape:
         return extent_of(self.run)
 
     def draw(self, gl: Driver) -> None:
-        """Draw it whole, whatever arrays the program has bound, and leave those as they were.
-
-        glPopClientAttrib brings back the program's arrays, and its buffer and array object bindings, which
-        belong to the same attribute group (ARB_vertex_buffer_object, ARB_vertex_array_object).
-        """
-        gl.glPushClientAttrib(_CLIENT_VERTEX_ARRAY_BIT)
-        gl.glBindVertexArray(0)
-        gl.glBindBuffer(_ARRAY_BUFFER, 0)
-        gl.glBindBuffer(_ELEMENT_ARRAY_BUFFER, 0)
-        gl.glInterleavedArrays(*self._arrays)
-        gl.glDrawElements(*self._elements)
-        gl.glPopClientAttrib()
+        """Draw it whole, whatever arrays the program has bound, and leave those as they were."""
+        with client_arrays(gl):
+            gl.glInterleavedArrays(*self._arrays)
+            gl.glDrawElements(*self._elements)

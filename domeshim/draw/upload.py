@@ -1,4 +1,4 @@
-"""Runs in GL's memory: a buffer, and the vertex array object that reads it."""
+"""Runs in GL's memory: a buffer, and the vertex array object that reads it, where GL has those."""
 
 from __future__ import annotations
 
@@ -6,13 +6,14 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from ctypes import c_int, c_uint
 from dataclasses import replace
-from itertools import groupby
+from itertools import accumulate, groupby
 from operator import itemgetter
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from domeshim.draw.client_arrays import client_arrays, switch_off
 from domeshim.draw.current import current_value
 from domeshim.driver import Driver
 from domeshim.record.runs import Block, Run, stretches
@@ -35,21 +36,35 @@ _ARRAYS = {"normal": 0x8075, "color": 0x8076, "edge": 0x8079, "fog": 0x8457, "se
 
 
 class Upload:
-    """One run at a time in GL's memory, through a vertex array object of its own."""
+    """One run at a time in GL's memory, through a vertex array object of its own if there are such."""
 
     def __init__(self, driver: Driver) -> None:
         self._driver = driver
         self._array_object = self._buffer = 0
         self._enabled: set[str] = set()
+        self._layout: list[tuple[str, int, int]] = []
+        """Name, size and offset in the buffer of each array."""
 
     @contextmanager
     def bound(self, run: Run | None = None) -> Iterator[None]:
         """Within it, GL's arrays are these; after it, the program's own again. run: put in before."""
         gl = self._driver
+        if gl.legacy:
+            with client_arrays(gl):
+                switch_off(gl)
+                self._enabled = set()
+                self._bind_buffer()
+                if run is not None:
+                    self._upload(run)
+                self._point()
+                yield
+            return
         program_object, program_buffer = gl.integer(_VERTEX_ARRAY_BINDING), gl.integer(_ARRAY_BUFFER_BINDING)
-        self._bind_own()
+        self._bind_array_object()
+        self._bind_buffer()
         if run is not None:
             self._upload(run)
+            self._point()
         try:
             yield
         finally:
@@ -82,38 +97,48 @@ class Upload:
         """Give back what it has of GL."""
         if self._array_object:
             self._driver.glDeleteVertexArrays(1, c_uint(self._array_object))
+        if self._buffer:
             self._driver.glDeleteBuffers(1, c_uint(self._buffer))
-            self._array_object = self._buffer = 0
-            self._enabled = set()
+        self._array_object = self._buffer = 0
+        self._enabled = set()
 
-    def _bind_own(self) -> None:
-        gl = self._driver
+    def _bind_array_object(self) -> None:
         if not self._array_object:
-            array_object, buffer = c_uint(), c_uint()
-            gl.glGenVertexArrays(1, array_object)
-            gl.glGenBuffers(1, buffer)
-            self._array_object, self._buffer = array_object.value, buffer.value
-        gl.glBindVertexArray(self._array_object)
-        gl.glBindBuffer(_ARRAY_BUFFER, self._buffer)
+            array_object = c_uint()
+            self._driver.glGenVertexArrays(1, array_object)
+            self._array_object = array_object.value
+        self._driver.glBindVertexArray(self._array_object)
+
+    def _bind_buffer(self) -> None:
+        if not self._buffer:
+            buffer = c_uint()
+            self._driver.glGenBuffers(1, buffer)
+            self._buffer = buffer.value
+        self._driver.glBindBuffer(_ARRAY_BUFFER, self._buffer)
 
     def _upload(self, run: Run) -> None:
-        """Positions and attributes into the buffer, one below the other; the pointers to where each is."""
+        """Positions and attributes into the buffer, one below the other."""
         gl = self._driver
-        wanted = {"vertex", *run.attributes}
-        for name in wanted - self._enabled:
-            self._switch_array(name, on=True)
-        for name in self._enabled - wanted:
-            self._switch_array(name, on=False)
-        self._enabled = wanted
         arrays: dict[str, NDArray[Any]] = {"vertex": run.positions, **completed(gl, run).attributes}
         if "edge" in arrays:
             arrays["edge"] = arrays["edge"].astype(np.uint8)
         data = b"".join(array.tobytes() for array in arrays.values())
         gl.glBufferData(_ARRAY_BUFFER, len(data), data, _STREAM_DRAW)
-        offset = 0
-        for name, array in arrays.items():
-            self._pointer(name, array.shape[1], offset)
-            offset += array.nbytes
+        ends = accumulate((array.nbytes for array in arrays.values()), initial=0)
+        self._layout = [
+            (name, array.shape[1], first) for (name, array), first in zip(arrays.items(), ends, strict=False)
+        ]
+
+    def _point(self) -> None:
+        """Let GL read each array from where it is in the buffer, and no others."""
+        wanted = {name for name, _, _ in self._layout}
+        for name in wanted - self._enabled:
+            self._switch_array(name, on=True)
+        for name in self._enabled - wanted:
+            self._switch_array(name, on=False)
+        self._enabled = wanted
+        for name, size, offset in self._layout:
+            self._pointer(name, size, offset)
 
     def _switch_array(self, name: str, *, on: bool) -> None:
         gl = self._driver

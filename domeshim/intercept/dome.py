@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from domeshim.driver import OLDEST_GL
 from domeshim.errors import DriverError, OptionError
 from domeshim.intercept.draws import Draws
 from domeshim.intercept.window_dome import WindowDome
@@ -25,8 +26,6 @@ if TYPE_CHECKING:
 
 
 _MAX_VIEWPORT_DIMS = 0x0D3A
-OLDEST_GL = (3, 0)
-"""From here on GLSL has clip distances."""
 
 
 class Dome(Draws):
@@ -39,6 +38,8 @@ class Dome(Draws):
     def window_opened(self, window: Window, program_size: tuple[int, int]) -> None:
         """A window's context was made and is current."""
         self._driver.require(OLDEST_GL)
+        if self._session.options.finishes:
+            self._driver.require((3, 3), "a warp mesh, mirror, fade, brightness or gamma")
         around = self._windows.get(window.outermost) if isinstance(window, SubWindow) else None
         frame = _frame(self._session, self._driver, window, program_size)
         if frame.aside and around is None and 0 in frame.strip()[2:]:

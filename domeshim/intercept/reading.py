@@ -80,10 +80,14 @@ def read_pixels(dome: Dome, original: Call) -> Call:
 def _reads_window(context: DomeContext, area: tuple[int, int, int, int], kind: int) -> bool:
     """The request is for what the dome has drawn."""
     gl = context.driver
+    if not gl.has("glBindFramebuffer"):
+        context.say_once(
+            "this OpenGL has no framebuffer objects: glReadPixels reads the dome's picture, not the window's"
+        )
+        return False
     return (
         context.pixels.placed
         and min(area[2:]) > 0
-        and gl.has("glBindFramebuffer")
         and not gl.integer(_READ_FRAMEBUFFER_BINDING)
         and (kind not in (_DEPTH_COMPONENT, _DEPTH_STENCIL) or gl.integer(_DEPTH_BITS) > 0)
     )

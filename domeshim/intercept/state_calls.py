@@ -121,6 +121,17 @@ def bare(dome: Dome, original: Call) -> Call:
     return call
 
 
+def clip_plane(dome: Dome, original: Call) -> Call:
+    """glClipPlane: on OpenGL 2 the dome has equations of its own in GL's planes while it draws."""
+    undressed = kept_in_lists(bare)(dome, original)
+
+    def call(*args: Any, **named: Any) -> Any:
+        taken = dome.context is not None and dome.context.driver.legacy
+        return (undressed if taken else original)(*args, **named)
+
+    return call
+
+
 def read_picture(dome: Dome, original: Call) -> Call:
     """A call that reads pixels of what was drawn."""
     call = read(dome, original)

@@ -11,6 +11,8 @@ from contextlib import contextmanager
 from ctypes import byref, c_float, c_int, c_uint, create_string_buffer
 from typing import Any
 
+from domeshim.driver import Driver
+
 GL_BACK, GL_RGB, GL_UNSIGNED_BYTE, GL_PACK_ALIGNMENT = 0x0405, 0x1907, 0x1401, 0x0D05
 READ_BUFFER = 0x0C02
 READ_FRAMEBUFFER, READ_FRAMEBUFFER_BINDING = 0x8CA8, 0x8CAA
@@ -67,7 +69,10 @@ def plain_reading(gl: Any, buffer: int, framebuffer: int = 0) -> Iterator[None]:
             setter(name, wanted)
 
     put(gl.glBindBuffer, PIXEL_PACK_BUFFER, _integer(gl, PIXEL_PACK_BUFFER_BINDING), c_int(0))
-    put(gl.glBindFramebuffer, READ_FRAMEBUFFER, _integer(gl, READ_FRAMEBUFFER_BINDING), c_int(framebuffer))
+    if Driver().has("glBindFramebuffer"):
+        put(
+            gl.glBindFramebuffer, READ_FRAMEBUFFER, _integer(gl, READ_FRAMEBUFFER_BINDING), c_int(framebuffer)
+        )
     put(lambda _, buffer: gl.glReadBuffer(buffer), 0, _integer(gl, READ_BUFFER), c_int(buffer))
     for name, plain in PACK_LAYOUT.items():
         put(gl.glPixelStorei, name, _integer(gl, name), c_int(plain))
@@ -84,8 +89,12 @@ def plain_reading(gl: Any, buffer: int, framebuffer: int = 0) -> Iterator[None]:
 def resolved(gl: Any, corner: tuple[int, int], width: int, height: int) -> Iterator[tuple[int, int]]:
     """A multisampled framebuffer gives the mean of each pixel's samples while this lasts, in plain_reading.
 
-    Mesa's glReadPixels alone gives one of them. Yields where the corner is to be read then.
+    Mesa's glReadPixels alone gives one of them, also where OpenGL 2 has no framebuffer objects. Yields where
+    the corner is to be read then.
     """
+    if not Driver().has("glBindFramebuffer"):
+        yield corner
+        return
     source, drawn_to = _integer(gl, READ_FRAMEBUFFER_BINDING), _integer(gl, DRAW_FRAMEBUFFER_BINDING)
     gl.glBindFramebuffer(DRAW_FRAMEBUFFER, source)
     samples = _integer(gl, SAMPLES).value

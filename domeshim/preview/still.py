@@ -17,7 +17,8 @@ _SAMPLES = 4
 def view(picture: Picture, dome: VirtualDome, viewer: Viewer, size: tuple[int, int]) -> Picture:
     """(height, width, 3): what the viewer sees of a picture (h, w, 3) that hangs in the dome; top rows first.
 
-    Raises ScreenError where this machine can draw nothing without a display.
+    Raises ScreenError where this machine can draw nothing without a display, DriverError where its GL is too
+    old.
     """
     os.environ["PYOPENGL_PLATFORM"] = "egl"  # before anything imports OpenGL
     from domeshim.draw.attached import attached  # noqa: PLC0415
@@ -29,7 +30,7 @@ def view(picture: Picture, dome: VirtualDome, viewer: Viewer, size: tuple[int, i
     backend = OffscreenBackend()
     try:
         backend.open_window("", (16, 16), None, SurfaceFormat(), WindowEvents())
-        context = attached(Driver())
+        context = attached(Driver(), "domeshim preview")
         drawn = context.framebuffer(
             [context.renderbuffer(size, 3, samples=_SAMPLES)],
             context.depth_renderbuffer(size, samples=_SAMPLES),

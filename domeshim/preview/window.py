@@ -90,7 +90,7 @@ def show_dome(pictures: Pictures, dome: VirtualDome, viewer: Viewer, size: tuple
     try:
         hands = Hands(viewer)
         window = backend.open_window(TITLE, size, None, SurfaceFormat(samples=4), hands)
-        context = attached(Driver())
+        context = attached(Driver(), "domeshim preview")
         room = Room(context, dome)
         began = former = time.perf_counter()
         while not (hands.closed or pictures.ended):

@@ -23,7 +23,14 @@ from domeshim.shading.snippets import snippet
 
 VERSION = "#version 130"
 """The oldest with clip distances."""
+LEGACY_VERSION = "#version 120"
+"""OpenGL 2.1's."""
 _FACETS = "levels/facets.frag"
+
+
+def version_for(*, legacy: bool) -> str:
+    """The version line of a vertex or fragment shader; legacy: as for Recipe."""
+    return LEGACY_VERSION if legacy else VERSION
 
 
 @dataclass(frozen=True)
@@ -79,16 +86,18 @@ def compose(recipe: Recipe) -> Source:
     """The vertex shader for a recipe."""
     draft = Draft()
     draft.add("vec4 eye = gl_ModelViewMatrix * gl_Vertex;")
+    if recipe.legacy and recipe.distances:
+        draft.add("gl_ClipVertex = vec4(1.0);")
     _position(draft, recipe)
     add_surface(draft, recipe.mapping)
     add_attributes(draft, recipe)
     _raster(draft, recipe)
-    return draft.source()
+    return draft.source(version_for(legacy=recipe.legacy))
 
 
 def add_attributes(draft: Draft, recipe: Recipe) -> None:
     """All that a vertex carries beside its position; needs the statement that makes eye before it."""
-    _clip_planes(draft, recipe.scene)
+    _clip_planes(draft, recipe)
     _sides(draft, recipe)
     _normal(draft, recipe.scene)
     if recipe.levels is None:
@@ -106,7 +115,7 @@ def add_attributes(draft: Draft, recipe: Recipe) -> None:
 def add_level(draft: Draft, recipe: Recipe, pieces: str) -> None:
     """The colour of a number of pieces; needs the statement that makes place before it."""
     draft.need("levels/ramp")
-    draft.need("levels/seen")
+    draft.need("levels/seen_legacy" if recipe.legacy else "levels/seen")
     if recipe.levels == "cut":
         draft.need("levels/cut")
     draft.add(
@@ -114,9 +123,9 @@ def add_level(draft: Draft, recipe: Recipe, pieces: str) -> None:
     )
 
 
-def levels_fragment() -> Source:
-    """The fragment shader that shows colours by the number of pieces."""
-    return Source.join([(_FACETS, snippet(_FACETS))])
+def levels_fragment(*, legacy: bool = False) -> Source:
+    """The fragment shader that shows colours by the number of pieces; legacy: as for Recipe."""
+    return Source.join([(_FACETS, snippet(_FACETS))], version_for(legacy=legacy))
 
 
 def add_surface(draft: Draft, mapping: Mapping) -> None:
@@ -157,9 +166,15 @@ def _position(draft: Draft, recipe: Recipe) -> None:
     else:
         draft.need("bend/vertex")
         draft.need(f"clip/{mapping.clip}")
-        draft.add(
-            "gl_Position = bent(place);", f"gl_ClipDistance[{recipe.clip_distances[0]}] = inFront(place);"
-        )
+        draft.add("gl_Position = bent(place);")
+        _cut(draft, recipe, recipe.clip_distances[0], "inFront(place)")
+
+
+def _cut(draft: Draft, recipe: Recipe, distance: int, value: str) -> None:
+    """Write a clip distance, where there is room for it."""
+    written = recipe.distance(distance)
+    if written is not None:
+        draft.add(f"{written} = {value};")
 
 
 def _panel_position(draft: Draft, recipe: Recipe) -> None:
@@ -170,18 +185,15 @@ def _panel_position(draft: Draft, recipe: Recipe) -> None:
         "gl_Position = bent(place, clip.z / clip.w);",
         "vec4 inside = insideViewport(clip);",
     )
-    draft.add(
-        *(
-            f"gl_ClipDistance[{k}] = inside.{axis};"
-            for k, axis in zip(recipe.clip_distances, "xyzw", strict=False)
-        )
-    )
+    for distance, axis in zip(recipe.clip_distances, "xyzw", strict=False):
+        _cut(draft, recipe, distance, f"inside.{axis}")
 
 
-def _clip_planes(draft: Draft, scene: Scene) -> None:
-    if scene.clip_planes:
-        draft.need("clip/plane")
-    draft.add(*(f"gl_ClipDistance[{i}] = abovePlane({i}, eye);" for i in scene.clip_planes))
+def _clip_planes(draft: Draft, recipe: Recipe) -> None:
+    if recipe.scene.clip_planes:
+        draft.need("clip/plane_legacy" if recipe.legacy else "clip/plane")
+    for plane in recipe.scene.clip_planes:
+        _cut(draft, recipe, plane, f"abovePlane({plane}, eye)")
 
 
 def _sides(draft: Draft, recipe: Recipe) -> None:
@@ -190,14 +202,15 @@ def _sides(draft: Draft, recipe: Recipe) -> None:
     draft.need("clip/panel")
     draft.add("vec4 within = insideViewport(gl_ProjectionMatrix * eye);")
     for distance, side in zip(recipe.side_distances, recipe.mapping.sides, strict=False):
-        draft.add(f"gl_ClipDistance[{distance}] = within[{side}];")
+        _cut(draft, recipe, distance, f"within[{side}]")
 
 
 def _raster(draft: Draft, recipe: Recipe) -> None:
     if recipe.mapping.raster is None:
         return
-    distances = (*recipe.clip_distances, *recipe.scene.clip_planes)
-    cut = " || ".join(f"gl_ClipDistance[{i}] < 0.0" for i in distances)
+    numbers = (*recipe.clip_distances, *recipe.scene.clip_planes)
+    distances = (recipe.distance(number) for number in numbers)
+    cut = " || ".join(f"{distance} < 0.0" for distance in distances if distance is not None)
     condition = "true" if recipe.mapping.raster == "nowhere" else cut or "false"
     draft.add(f"if ({condition})", "    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);")
 

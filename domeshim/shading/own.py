@@ -15,15 +15,18 @@ from domeshim.shading.snippets import snippet
 
 Stage = Literal["vertex", "evaluation", "geometry"]
 
-Planes = Literal["kept", "clip vertex", "open"]
+Planes = Literal["kept", "clip vertex", "open", "legacy"]
 """What becomes of the first three clip distances: the shader's own, the program's clip planes by the shader's
-gl_ClipVertex, or nothing is cut (without a gl_ClipVertex, GL leaves it open what clip planes do)."""
+gl_ClipVertex, or nothing is cut (without a gl_ClipVertex, GL leaves it open what clip planes do); legacy:
+there are none."""
 
 RIM_DISTANCE, EDGE_DISTANCES = 3, (4, 5, 6, 7)
 """The clip distances of the rim, and of the viewport's and scissor's edges; the lower are the program's."""
 
 _RAISED = "#version 150 compatibility"
 """What an older shader becomes."""
+_RAISED_LEGACY = "#version 120"
+"""The same on OpenGL 2."""
 _COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 _VERSION = re.compile(r"[ \t]*#[ \t]*version[ \t]+(\d+)[ \t]*(\w*)")
 _DIRECTIVE = re.compile(r"\s*#\s*(if|endif|extension)?")
@@ -43,6 +46,8 @@ void domeEmit() {
 }
 #define EmitVertex domeEmit
 """
+_CLIP_VERTEX = "vec4 domeClipVertex;\n#define gl_ClipVertex domeClipVertex\n"
+"""What is above it keeps GL's own."""
 _NAMES = re.compile(
     r"\b(beside|bent|landed|onFace|lensRadius|aimed|inFront|insideViewport|onSurface|onGrid)\b"
 )
@@ -63,6 +68,8 @@ class Landing:
     """The disc's square goes to four corners."""
     grid: bool = False
     """Vertices are brought onto the driver's own steps within a pixel."""
+    legacy: bool = False
+    """OpenGL 2: parts of gl_ClipVertex stand in for clip distances."""
 
 
 @dataclass(frozen=True)
@@ -71,7 +78,10 @@ class Rewritten:
 
     text: str
     cut: bool
-    """It cuts at the dome's rim and the panel's edges, by RIM_DISTANCE and EDGE_DISTANCES."""
+    """It cuts at the dome's rim and the panel's edges, by RIM_DISTANCE and EDGE_DISTANCES.
+
+    On OpenGL 2 gl_ClipVertex.x is the rim's, or all of it are the panel's four edges'.
+    """
     by_planes: bool
     """The program's first clip planes, or distances, cut by the ones below those."""
 
@@ -89,7 +99,7 @@ def has_main(text: str) -> bool:
 def rewritten(text: str, stage: Stage, landing: Landing) -> tuple[Rewritten, ...]:
     """The shader's text ending on the dome, best first: what a driver refuses of one, the next does without.
 
-    The first is raised to a GLSL that has clip distances, the last stays at the program's own version.
+    The first is raised to a GLSL with clip distances, if there is any; the last stays at the program's.
     """
     bare = _bare(text)
     version = _VERSION.search(bare)
@@ -102,7 +112,8 @@ def rewritten(text: str, stage: Stage, landing: Landing) -> tuple[Rewritten, ...
     own_version = version[0].strip() if version is not None else "#version 110"
     if profile == "es" or number == 100:
         return (_joined(own_version, whole, stage, landing, cut=False),)
-    raised = _RAISED if number < 150 else own_version
+    older, newer = (120, _RAISED_LEGACY) if landing.legacy else (150, _RAISED)
+    raised = newer if number < older else own_version
     return (
         _joined(raised, whole, stage, landing, cut=True),
         _joined(own_version, whole, stage, landing, cut=False),
@@ -114,12 +125,14 @@ def _joined(version: str, text: str, stage: Stage, landing: Landing, *, cut: boo
     first = _top(text)
     bare = _bare(text)
     planes: Planes = "kept" if not cut or "gl_ClipDistance" in bare else "open"
-    if planes == "open" and "compatibility" in version and "gl_ClipVertex" in bare:
+    if cut and landing.legacy:
+        planes = "legacy"
+    elif planes == "open" and "compatibility" in version and "gl_ClipVertex" in bare:
         planes = "clip vertex"
     before = _before(stage, landing, cut=cut, planes=planes)
     after = "" if stage == "geometry" else _MAIN_AROUND
     text = "\n".join([version, *lines[:first], before, *lines[first:], after])
-    return Rewritten(text, cut, by_planes=cut and planes != "open")
+    return Rewritten(text, cut, by_planes=cut and planes in ("kept", "clip vertex"))
 
 
 def _before(stage: Stage, landing: Landing, *, cut: bool, planes: Planes) -> str:
@@ -141,8 +154,10 @@ def _before(stage: Stage, landing: Landing, *, cut: bool, planes: Planes) -> str
         names.append("own/planes")
     parts = [_NAMES.sub(lambda m: f"dome{m[0][0].upper()}{m[0][1:]}", snippet(name)) for name in names]
     if planes == "clip vertex":
-        parts.append("vec4 domeClipVertex;\n#define gl_ClipVertex domeClipVertex\n")
+        parts.append(_CLIP_VERTEX)
     parts.append(_land(landing, cut=cut, planes=planes))
+    if planes == "legacy":
+        parts.append(_CLIP_VERTEX)
     if stage == "geometry":
         parts.append(_EMIT_AROUND)
     else:
@@ -159,13 +174,16 @@ def _land(landing: Landing, *, cut: bool, planes: Planes) -> str:
         lines += [f"gl_ClipDistance[{i}] = planes.{axis};" for i, axis in enumerate("xyz")]
     elif planes == "open":
         lines += [f"gl_ClipDistance[{i}] = 1.0;" for i in range(RIM_DISTANCE)]
-    if cut:
+    elif planes == "legacy":
+        lines.append("gl_ClipVertex = vec4(1.0);")
+    if cut and planes != "legacy":
         lines.append("vec4 inside = domeInsideViewport(clip);")
         edges = zip(EDGE_DISTANCES, "xyzw", strict=True)
         lines += [f"gl_ClipDistance[{i}] = inside.{axis};" for i, axis in edges]
     lines += ["if (domeMode > 1.5) {", "    vec4 place = domeFromClip * clip;"]
     lines += aimed
     lines.append("    gl_Position = domeBent(place, clip.z / clip.w);")
+    lines += ["    gl_ClipVertex = domeInsideViewport(clip);"] if planes == "legacy" else []
     lines += ["} else if (domeMode > 0.5) {", "    vec4 place = domePlace(clip);"]
     lines += ["    place = domeBeside(place);"] if landing.beside else []
     lines += aimed
@@ -173,7 +191,8 @@ def _land(landing: Landing, *, cut: bool, planes: Planes) -> str:
     if cut:
         # A face has no rim. But Mesa's llvmpipe cuts by all distances that are written where none is enabled.
         rim = "1.0" if landing.face else "domeInFront(place)"
-        lines.append(f"    gl_ClipDistance[{RIM_DISTANCE}] = {rim};")
+        written = "gl_ClipVertex.x" if planes == "legacy" else f"gl_ClipDistance[{RIM_DISTANCE}]"
+        lines.append(f"    {written} = {rim};")
     lines.append("}")
     if landing.keystone:
         lines.append("if (domeMode > 0.5) gl_Position = domeOnSurface(gl_Position);")

@@ -153,6 +153,8 @@ class Recipe:
     """Colours are those of the number of pieces, not the scene's."""
     flat: bool = False
     """GL_FLAT: the pieces of a subdivided primitive all have the colour of its last vertex."""
+    legacy: bool = False
+    """OpenGL 2: there are no clip distances, and clip planes that pick parts of gl_ClipVertex stand in."""
 
     @property
     def clip_distances(self) -> tuple[int, ...]:
@@ -165,6 +167,39 @@ class Recipe:
         return self._free[self._wanted : self._wanted + len(self.mapping.sides)]
 
     @property
+    def distances(self) -> tuple[int, ...]:
+        """All clip distances that this OpenGL has room for; what cuts most comes first.
+
+        On OpenGL 2 the n-th of them is the n-th component of gl_ClipVertex. What is between two opposite
+        sides is in front, so the mapping's own comes last there.
+        """
+        own, planes, sides = self.clip_distances, self.scene.clip_planes, self.side_distances
+        if self.mapping.place == "panel":
+            wanted = (*planes, *own)
+        elif any({side, side + 1} <= set(self.mapping.sides) for side in (0, 2)):
+            wanted = (*sides, *planes, *own)
+        else:
+            wanted = (*own, *planes, *sides)
+        return wanted[: 4 if self.legacy else 8]
+
+    @property
+    def left_out(self) -> bool:
+        """Some clip distance finds no room, and what it would cut off is seen."""
+        cuts = {*self.scene.clip_planes, *self.side_distances}
+        if self.mapping.place == "panel":
+            cuts |= set(self.clip_distances)
+        room = self._wanted + len(self.mapping.sides) <= len(self._free)
+        return not (room and cuts <= set(self.distances))
+
+    def distance(self, number: int) -> str | None:
+        """Where the vertex shader writes a clip distance; None where there is no room for it."""
+        if number not in self.distances:
+            return None
+        if self.legacy:
+            return f"gl_ClipVertex.{'xyzw'[self.distances.index(number)]}"
+        return f"gl_ClipDistance[{number}]"
+
+    @property
     def _wanted(self) -> int:
         if self.mapping.place == "panel":
             return 4 if self.mapping.method != "paper" else 0
@@ -172,4 +207,4 @@ class Recipe:
 
     @property
     def _free(self) -> tuple[int, ...]:
-        return tuple(i for i in range(8) if i not in self.scene.clip_planes)
+        return tuple(i for i in range(6 if self.legacy else 8) if i not in self.scene.clip_planes)

@@ -174,8 +174,11 @@ class DomeContext:
         return self._passing
 
     def pass_by(self, on: bool) -> None:
-        """Leave out the draws from now on, or make them again; this context must be current."""
-        if on != self._passing:
+        """Leave out the draws from now on, or make them again; this context must be current.
+
+        OpenGL 2 cannot leave them out, and they are made, unseen.
+        """
+        if on != self._passing and not self.driver.legacy:
             self.undress()
             self._passing = on
             (self.driver.glEnable if on else self.driver.glDisable)(_RASTERIZER_DISCARD)

@@ -14,6 +14,11 @@ from domeshim.state.whereabouts import Seen
 if TYPE_CHECKING:
     from domeshim.state.context import DomeContext
 
+_FOUR = (
+    "OpenGL 2: at most four of the clip planes and the viewport's and scissor's edges cut at a time; "
+    "the last do not"
+)
+
 
 class Dresser:
     """Dresses the draws of one context, and undresses it."""
@@ -35,22 +40,37 @@ class Dresser:
             canvas.settle(deep=True, straight=True)
             self._wear(Dressing(0, (), tuple(self._flat_views(seen))), seen)
         elif own.current is not None:
-            if any(plane >= own.current.planes for plane in scene.clip_planes):
-                context.say_once(
-                    "under the program's own GLSL only GL_CLIP_PLANE0 to 2 cut, and only by its gl_ClipVertex"
-                )
+            self._say_uncut(seen, scene)
             if context.shows_levels:
                 context.say_once("DOME_DEBUG=levels: what the program's own GLSL draws keeps its colours")
-            enables = own.bend(placement, seen.projection, seen.edges, scene.clip_planes)
-            enables = (*enables, *self.wardrobe.discard(look))
-            self._wear(Dressing(0, enables, canvas.views, own.current, canvas.framebuffer), seen)
+            cut = own.bend(placement, seen.projection, seen.edges, scene.clip_planes)
+            enables = (*cut.enables, *self.wardrobe.discard(look))
+            views = self.wardrobe.views(look, canvas.views)
+            self._wear(Dressing(0, enables, views, own.current, canvas.framebuffer, cut.planes), seen)
         else:
             outfit = self.wardrobe.outfit(look)
-            program = outfit.program
+            program, views = outfit.program, self.wardrobe.views(look, canvas.views)
             self._wear(
-                Dressing(program.name, outfit.enables, canvas.views, program, canvas.framebuffer), seen
+                Dressing(program.name, outfit.enables, views, program, canvas.framebuffer, outfit.planes),
+                seen,
             )
+            if outfit.planes and scene.clip_planes:
+                program.set("domePlanes", self.worn.clip_planes.own)
+            if outfit.left_out:
+                context.say_once(_FOUR)
             self.wardrobe.send(outfit, look, context.subdividing.tolerance)
+
+    def _say_uncut(self, seen: Seen, scene: Scene) -> None:
+        """Say what of the program's does not cut what its own GLSL draws."""
+        context, own = self._context, self._context.own.current
+        assert own is not None
+        if context.driver.legacy:
+            if own.cut and (scene.clip_planes or (seen.edges.inner and seen.placement.place != "panel")):
+                context.say_once("OpenGL 2: no clip plane and no glScissor cuts under the program's own GLSL")
+        elif any(plane >= own.planes for plane in scene.clip_planes):
+            context.say_once(
+                "under the program's own GLSL only GL_CLIP_PLANE0 to 2 cut, and only by its gl_ClipVertex"
+            )
 
     def take_off(self) -> None:
         """Give GL back to the program just as it left it."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from ctypes import c_float
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -14,6 +14,7 @@ from domeshim.lens.detail import cone
 from domeshim.lens.landing import Lens
 from domeshim.lens.orientation import Orientation
 from domeshim.options import Options
+from domeshim.state.clip_planes import LEGACY_PLANES, NOTHING, PARTS, Equation
 from domeshim.state.perspective import Matrix, is_perspective, perspective_part, planar
 from domeshim.state.placement import Placement
 from domeshim.state.scene import GL_CLIP_PLANE0
@@ -26,6 +27,14 @@ if TYPE_CHECKING:
     from domeshim.shading.own import Landing
 
 _CURRENT_PROGRAM = 0x8B8D
+
+
+class Cut(NamedTuple):
+    """What is on while a program of the program's own draws, so that it ends where the dome does."""
+
+    enables: tuple[int, ...] = ()
+    planes: tuple[tuple[int, Equation], ...] = ()
+    """What GL's clip planes hold meanwhile, by number."""
 
 
 class OwnPrograms:
@@ -67,6 +76,7 @@ class OwnPrograms:
             beside=self._beside,
             keystone=self._frame.keystone is not None,
             grid=self._frame.on_grid and not self._face,
+            legacy=self._driver.legacy,
         )
 
     def link(self, name: int, original: Callable[[], object]) -> None:
@@ -139,10 +149,8 @@ class OwnPrograms:
 
     # Around its draws.
 
-    def bend(
-        self, placement: Placement, projection: Matrix, edges: Edges, planes: tuple[int, ...]
-    ) -> tuple[int, ...]:
-        """Let the bound program end where the placement says; the capabilities to enable for it.
+    def bend(self, placement: Placement, projection: Matrix, edges: Edges, planes: tuple[int, ...]) -> Cut:
+        """Let the bound program end where the placement says, and tell what has to be on for it.
 
         edges: what the scissor leaves of the viewport; planes: the clip planes that the program has enabled.
         """
@@ -165,10 +173,15 @@ class OwnPrograms:
             own.set("domeRim", cone(self._lens.left_out(np.inf)))
         own.set("domeEdges", edges.bounds)
         if not own.cut:
-            return ()
+            return Cut()
+        if self._driver.legacy:
+            free = [number for number in range(LEGACY_PLANES) if number not in planes]
+            used = tuple(zip(free, PARTS if panel else PARTS[:1], strict=False))
+            idle = ((number, NOTHING) for number in planes)
+            return Cut(tuple(GL_CLIP_PLANE0 + number for number, _ in used), (*used, *idle))
         inner = (0, 1, 2, 3) if panel else edges.inner
         wanted = (*(() if panel else (RIM_DISTANCE,)), *(EDGE_DISTANCES[i] for i in inner))
-        return tuple(GL_CLIP_PLANE0 + i for i in wanted if i not in planes)
+        return Cut(tuple(GL_CLIP_PLANE0 + i for i in wanted if i not in planes))
 
     def _from_clip(self, placement: Placement, projection: Matrix) -> tuple[float, ...]:
         """Clip coordinates to the dome's eye space, column-major; worked out once for each placement."""

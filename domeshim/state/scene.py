@@ -174,7 +174,7 @@ class SceneState:
 
     def _unit_texture(self, unit: int) -> list[Texture]:
         gl = self._driver
-        if unit not in self.read_units and not any(gl.glIsEnabled(target) for target in GL_TEXTURES):
+        if unit not in self.read_units and not any(gl.glIsEnabled(target) for target in gl.texture_targets):
             return []
         if unit in self._units:
             return [self._units[unit]]
@@ -200,7 +200,7 @@ class SceneState:
             fog = "attribute" if gl.integer(_FOG_COORD_SRC) == _FOG_COORD else "distance"
         return Scene(
             fog=fog,
-            clip_planes=tuple(i for i in range(8) if gl.glIsEnabled(GL_CLIP_PLANE0 + i)),
+            clip_planes=tuple(i for i in range(gl.clip_planes) if gl.glIsEnabled(GL_CLIP_PLANE0 + i)),
             secondary_color=bool(gl.glIsEnabled(GL_COLOR_SUM)),
             point_attenuation=tuple(attenuation) != (1.0, 0.0, 0.0),
         )

@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 from domeshim.driver import Driver
 from domeshim.shading.program import Uniforms
+from domeshim.state.clip_planes import ClipPlanes, Equation
 from domeshim.window.frame import Rectangle
 
 _SCISSOR_TEST, _SCISSOR_BOX, _DRAW_FRAMEBUFFER = 0x0C11, 0x0C10, 0x8CA9
@@ -38,6 +39,8 @@ class Dressing(NamedTuple):
     uniforms: Uniforms | None = None
     """Of the program that draws; None where none of the dome's numbers reach it."""
     framebuffer: int = 0
+    planes: tuple[tuple[int, Equation], ...] = ()
+    """What stands in GL's clip planes, by number, instead of the program's."""
 
 
 class Worn:
@@ -52,6 +55,7 @@ class Worn:
         """The program's draw buffer, where another was chosen."""
         self._view = self._own
         self.dressing: Dressing | None = None
+        self.clip_planes = ClipPlanes(driver)
 
     def put_on(self, new: Dressing, own: View, program: int) -> None:
         """Put on what is not on already, take off what is too much, and show the first view.
@@ -71,6 +75,8 @@ class Worn:
                 gl.glEnable(capability)
         if new.program != old.program:
             gl.glUseProgram(new.program or program)
+        if new.planes != old.planes:
+            self.clip_planes.take(dict(new.planes))
         if new.framebuffer != old.framebuffer:
             gl.glBindFramebuffer(_DRAW_FRAMEBUFFER, new.framebuffer)
         self.show(new.views[0])
@@ -99,6 +105,8 @@ class Worn:
         if self._buffer is not None:
             gl.glDrawBuffer(self._buffer)
             self._buffer = None
+        if old.planes:
+            self.clip_planes.give_back()
         if old.framebuffer:
             gl.glBindFramebuffer(_DRAW_FRAMEBUFFER, 0)
         if old.program:

@@ -13,11 +13,13 @@ from domeshim.options import Options
 from domeshim.shading.compose import compose, levels_fragment
 from domeshim.shading.program import Program
 from domeshim.shading.recipe import PIECE_ATTRIBUTES, Levels, Mapping, Patch, Recipe, Scene
+from domeshim.state.clip_planes import NOTHING, PARTS, Equation
 from domeshim.state.perspective import planar
 from domeshim.state.placement import Placement
 from domeshim.state.scene import GL_CLIP_PLANE0, GL_COLOR_SUM
 from domeshim.state.scissor import Edges
 from domeshim.state.subdivision import Tolerance
+from domeshim.state.views import View
 from domeshim.window.frame import Frame
 
 if TYPE_CHECKING:
@@ -52,6 +54,10 @@ class Outfit:
     scene: Scene
     """Kept: outfits are found by its identity."""
     enables: tuple[int, ...]
+    planes: tuple[tuple[int, Equation], ...]
+    """What GL's clip planes hold meanwhile: on OpenGL 2 each picks a part of gl_ClipVertex."""
+    left_out: bool
+    """OpenGL 2 has too few of those."""
 
 
 class Wardrobe:
@@ -111,8 +117,16 @@ class Wardrobe:
 
     def discard(self, look: Look) -> tuple[int, ...]:
         """The capability that keeps all from being drawn, where it shall not be."""
-        left_out = look.edges.empty or (self.hides(look.placement) and not look.raster)
-        return (_RASTERIZER_DISCARD,) if left_out else ()
+        return (_RASTERIZER_DISCARD,) if self._unseen(look) and not self._driver.legacy else ()
+
+    def views(self, look: Look, views: tuple[View, ...]) -> tuple[View, ...]:
+        """The views to draw in; OpenGL 2, which has no such capability, draws to nothing of them."""
+        if not (self._driver.legacy and self._unseen(look)):
+            return views
+        return tuple(view._replace(scissor=(0, 0, 0, 0)) for view in views)
+
+    def _unseen(self, look: Look) -> bool:
+        return look.edges.empty or (self.hides(look.placement) and not look.raster)
 
     def send(self, outfit: Outfit, look: Look, tolerance: Tolerance) -> None:
         """Give the outfit's program, which is bound, its uniforms."""
@@ -141,7 +155,9 @@ class Wardrobe:
         program = programs.get(recipe)
         if program is None:
             program = programs[recipe] = self._build(recipe, look.fragments)
-        return Outfit(program, recipe.mapping, look.scene, (*_enables(recipe), *self.discard(look)))
+        enables = (*_enables(recipe), *self.discard(look))
+        left_out = recipe.legacy and recipe.left_out
+        return Outfit(program, recipe.mapping, look.scene, enables, _planes(recipe), left_out)
 
     def _recipe(self, look: Look, *, flat: bool, hidden: bool) -> Recipe:
         place = look.placement.place
@@ -161,11 +177,11 @@ class Wardrobe:
             raster=None if not look.raster else "nowhere" if hidden else "point",
         )
         scene = look.scene if look.levels is None else look.scene.uncoloured
-        return Recipe(mapping, scene, look.patch, look.levels, flat=flat)
+        return Recipe(mapping, scene, look.patch, look.levels, flat=flat, legacy=self._driver.legacy)
 
     def _build(self, recipe: Recipe, fragments: FragmentStage | None) -> Program:
         shaders = fragments.shaders if fragments else ()
-        fragment = levels_fragment() if recipe.levels is not None else None
+        fragment = levels_fragment(legacy=recipe.legacy) if recipe.levels is not None else None
         numbered = recipe.levels == "cut" or (recipe.patch is not None and recipe.patch.split)
         attributes = _PIECE if numbered else None
         if recipe.patch is None:
@@ -211,9 +227,18 @@ def _compose_pieces(recipe: Recipe, patch: Patch) -> Stages:
     return compose_tessellated(recipe)
 
 
+def _planes(recipe: Recipe) -> tuple[tuple[int, Equation], ...]:
+    """What GL's clip planes hold while this draws."""
+    if not recipe.legacy:
+        return ()
+    idle = ((plane, NOTHING) for plane in recipe.scene.clip_planes if plane not in recipe.distances)
+    return (*zip(recipe.distances, PARTS, strict=False), *idle)
+
+
 def _enables(recipe: Recipe) -> tuple[int, ...]:
     lighting = recipe.scene.lighting
-    wanted = [GL_CLIP_PLANE0 + i for i in (*recipe.clip_distances, *recipe.side_distances)]
+    dome = (*recipe.clip_distances, *recipe.side_distances)
+    wanted = [GL_CLIP_PLANE0 + i for i in dome if i in recipe.distances]
     if lighting is not None and lighting.two_sided:
         wanted.append(_VERTEX_PROGRAM_TWO_SIDE)
     if lighting is not None and lighting.separate_specular and not recipe.scene.secondary_color:

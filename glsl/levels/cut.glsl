@@ -1,2 +1,2 @@
 // How many pieces the CPU has made of the edge.
-in float domePieces;
+attribute float domePieces;

@@ -1,6 +1,6 @@
 // The colour alone, a little darker on what is seen at a slant, so that shapes can be told. Along a line both
 // steps lead the same way: it has no slant.
-in vec3 domeSeen;
+varying vec3 domeSeen;
 
 void main() {
     vec3 right = dFdx(domeSeen), up = dFdy(domeSeen), across = cross(right, up);

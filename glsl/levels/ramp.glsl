@@ -5,6 +5,6 @@ vec4 ofPieces(float n) {
     if (n < 1.0)
         return domeRamp[0];
     float place = min(log2(n), 4.0);
-    int below = min(int(place), 3);
+    int below = int(min(place, 3.0));
     return mix(domeRamp[below + 1], domeRamp[below + 2], place - float(below));
 }

@@ -4,7 +4,7 @@ import itertools
 
 import pytest
 
-from domeshim.shading.compose import VERSION, compose
+from domeshim.shading.compose import LEGACY_VERSION, VERSION, compose
 from domeshim.shading.recipe import ColorMaterial, Light, Lighting, Mapping, Recipe, Scene, Texture
 from domeshim.shading.snippets import glsl_folder, snippet
 
@@ -83,6 +83,36 @@ def test_own_clip_distances_keep_out_of_the_programs():
             recipe = Recipe(Mapping(place=place), Scene(clip_planes=planes))
             assert recipe.clip_distances
             assert not set(planes) & set(recipe.clip_distances)
+
+
+def test_on_opengl_2_the_parts_of_the_clip_vertex_are_the_clip_distances():
+    for mapping in every_mapping():
+        for planes in ((), (0,), (2, 5)):
+            text = compose(Recipe(mapping, Scene(clip_planes=planes), legacy=True)).text
+            assert text.startswith(LEGACY_VERSION)
+            assert "gl_ClipDistance" not in text
+            assert "gl_ClipPlane[" not in text
+            assert ("gl_ClipVertex = vec4(1.0);" in text) == ("gl_ClipVertex." in text)
+
+
+def test_of_more_than_four_the_last_are_left_out():
+    room = Recipe(Mapping(sides=(0,)), Scene(clip_planes=(0, 1)), legacy=True)
+    assert room.distances == (2, 0, 1, 3)
+    assert [room.distance(n) for n in (2, 0, 1, 3)] == [f"gl_ClipVertex.{part}" for part in "xyzw"]
+    assert not room.left_out
+    full = Recipe(Mapping(sides=(0, 2)), Scene(clip_planes=(0, 1)), legacy=True)
+    assert full.distance(full.side_distances[1]) is None
+    assert full.left_out
+    panel = Recipe(Mapping(place="panel"), Scene(clip_planes=(1,)), legacy=True)
+    assert panel.distances == (1, 0, 2, 3)
+    assert panel.left_out
+
+
+def test_between_opposite_sides_all_is_in_front():
+    recipe = Recipe(Mapping(sides=(0, 1, 2, 3)), legacy=True)
+    assert recipe.distances == recipe.side_distances
+    assert not recipe.left_out
+    assert "inFront(place);" not in compose(recipe).text
 
 
 def test_each_line_is_traced_to_its_snippet():

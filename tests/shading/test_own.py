@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ctypes import c_char_p, c_int, create_string_buffer
+from dataclasses import replace
 
 import pytest
 
@@ -97,6 +98,19 @@ def test_a_text_without_a_version_is_of_glsl_110():
 
 def test_a_later_version_is_not_lowered():
     assert rewritten(CORE, "vertex", Landing())[0].text.startswith("#version 330 core\n")
+
+
+@pytest.mark.parametrize("landing", LANDINGS, ids=str)
+@pytest.mark.parametrize("text", [PLAIN, VERSIONED, CLIPPED, NAMED_LIKE_OURS])
+def test_on_opengl_2_a_shader_cuts_by_its_clip_vertex(driver, text: str, landing: Landing):
+    first, last = rewritten(text, "vertex", replace(landing, legacy=True))
+    assert first.cut
+    assert not first.by_planes
+    assert "gl_ClipVertex.x = domeInFront(place);" in first.text
+    assert first.text.startswith("#version 120\n")
+    for candidate in (first, last):
+        assert "gl_ClipDistance" not in candidate.text
+        assert compiles(driver, candidate.text) == ""
 
 
 def test_glsl_es_keeps_its_version():

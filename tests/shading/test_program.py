@@ -1,20 +1,25 @@
 """Every composed variant is taken by the driver; what it refuses is said with our file and line."""
 
+from dataclasses import replace
+
 import pytest
 
 from domeshim.driver import Driver
 from domeshim.errors import ShaderError
-from domeshim.shading.compose import Source, compose
+from domeshim.shading.compose import Source, compose, levels_fragment
 from domeshim.shading.program import Program, explain
 from domeshim.shading.recipe import Mapping, Recipe
 from tests.shading.test_compose import every_mapping, every_scene
 
 
-def test_every_mapping_and_every_scene_compiles(driver):
+@pytest.mark.parametrize("legacy", [False, True])
+def test_every_mapping_and_every_scene_compiles(driver, legacy):
     recipes = {Recipe(m) for m in every_mapping()} | {Recipe(Mapping(), s) for s in every_scene()}
     recipes |= {Recipe(Mapping(place="panel", aim="turned"), s) for s in every_scene()}
+    recipes |= {Recipe(Mapping(sides=(0, 1, 2, 3)), s, levels="cut") for s in every_scene()}
     for recipe in recipes:
-        program = Program(driver, compose(recipe))
+        fragment = levels_fragment(legacy=legacy) if recipe.levels else None
+        program = Program(driver, compose(replace(recipe, legacy=legacy)), fragment)
         driver.glDeleteProgram(program.name)
     assert len(recipes) > 100
     assert driver.glGetError() == 0

@@ -1,0 +1,4 @@
+// The vertex's number.
+int number() {
+    return gl_VertexID;
+}
