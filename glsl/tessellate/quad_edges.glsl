@@ -7,8 +7,8 @@ struct Edges {
     vec2 inside;
 };
 
-// A place inside is off along two edges' ways at once: 1.25 times the pieces keep it as close as an edge.
-const float DOME_INSIDE = 1.5;
+// A place inside is off along two edges' ways at once, and needs finer pieces than an edge.
+const float DOME_INSIDE = 1.3;
 
 // The pieces inside, along two edges and across the middle from a to b, which may be wider than both.
 float insideOf(float edge0, float edge1, vec3 a, vec3 b) {

@@ -10,5 +10,5 @@ void subdivide() {
     gl_TessLevelOuter[0] = triangle.pieces.x;
     gl_TessLevelOuter[1] = triangle.pieces.y;
     gl_TessLevelOuter[2] = triangle.pieces.z;
-    gl_TessLevelInner[0] = ceil(1.5 * max(max(triangle.pieces.x, triangle.pieces.y), triangle.pieces.z));
+    gl_TessLevelInner[0] = ceil(1.2 * max(max(triangle.pieces.x, triangle.pieces.y), triangle.pieces.z));
 }
