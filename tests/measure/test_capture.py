@@ -186,8 +186,8 @@ def test_the_programs_exception_is_its_own(capture, place):
 )
 def test_a_program_without_pictures_is_given_up_by_real_time(capture, hang):
     began = time.monotonic()
-    result = capture("print('before')\n" + hang, "--timeout", "1.5")
-    assert 1.5 < time.monotonic() - began < 30
+    result = capture("print('before')\n" + hang, "--timeout", "4")
+    assert 4 < time.monotonic() - began < 30
     assert (result.returncode, result.stdout) == (1, "before\n")
     assert result.stderr.startswith("domeshim: nothing came for 1.5 seconds after 0 pictures; ")
     assert result.stderr.count("\n") == 1
