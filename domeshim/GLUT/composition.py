@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from domeshim import session as sessions
 from domeshim.draw.paste import paste
+from domeshim.draw.target import drawing_to
 from domeshim.driver import Driver
 from domeshim.GLUT.dispatch import make_current
 from domeshim.GLUT.families import Area, descendants, outermost, place_in_outermost, shown, visible_area
@@ -56,7 +57,8 @@ class Composition:
         make_current(self._state, outer)
         if session.dome is not None:
             session.dome.frame_ending(outer.surface)
-        paste(self._driver, self._composed(outer))
+        with drawing_to(self._driver, outer.surface.framebuffer):
+            paste(self._driver, self._composed(outer))
         draw_open_menu(self._state, outer)
         if session.dome is not None:
             session.dome.frame_ending(outer.surface)

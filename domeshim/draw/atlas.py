@@ -121,12 +121,12 @@ def restored(gl: Driver) -> Iterator[None]:
     try:
         yield
     finally:
+        gl.glBindFramebuffer(_DRAW, bound[0])  # first: its buffers for drawing and reading are attributes
+        gl.glBindFramebuffer(_READ, bound[1])
         gl.glPopClientAttrib()
         gl.glPopAttrib()
         gl.glUseProgram(program)
         gl.glBindVertexArray(arrays)
         gl.glBindBuffer(_ARRAY_BUFFER, buffers[0])
         gl.glBindBuffer(_PIXEL_BUFFER, buffers[1])
-        gl.glBindFramebuffer(_DRAW, bound[0])
-        gl.glBindFramebuffer(_READ, bound[1])
         gl.glBindRenderbuffer(_RENDERBUFFER, bound[2])

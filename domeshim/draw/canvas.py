@@ -27,8 +27,8 @@ class Canvas(Protocol):
 
     kind: Literal["disc", "face"]
     """How the dome's programs bend onto it."""
-    framebuffer: int
-    """Draws go to this one; 0: the window."""
+    framebuffer: int | None
+    """Draws go to this one of its own; None: to the window's."""
     views: tuple[View, ...]
     """Each draw is made once in every one of them."""
 
@@ -61,7 +61,7 @@ class DiscCanvas:
     """The window: a disc for each eye."""
 
     kind: Literal["disc", "face"] = "disc"
-    framebuffer = 0
+    framebuffer: int | None = None
 
     def __init__(self, options: Options, frame: Frame, lens: Lens, orientation: Orientation) -> None:
         self._frame = frame
@@ -120,8 +120,11 @@ def canvas_of(
     lens: Lens,
     orientation: Orientation,
     say: Callable[[str], None],
+    window: Callable[[], int],
 ) -> Canvas:
-    """The canvas that the method draws onto; say: tells the user.
+    """The canvas that the method draws onto.
+
+    say: tells the user; window: asks for the number of the window's framebuffer.
 
     Raises DriverError where this GL cannot have it, ScreenError where the window has not what it takes.
     """
@@ -132,4 +135,4 @@ def canvas_of(
     assert isinstance(lens, RadialLens), "options.py takes no other screen with it"
     from domeshim.draw.cubemap import CubeCanvas  # noqa: PLC0415 - moderngl for this method alone
 
-    return CubeCanvas(driver, options, frame, lens, orientation, say)
+    return CubeCanvas(driver, options, frame, lens, orientation, say, window)

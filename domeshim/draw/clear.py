@@ -10,6 +10,7 @@ import numpy as np
 from domeshim.draw.canvas import Canvas
 from domeshim.draw.numbered import draw_numbered, numbered, source
 from domeshim.draw.over import way_cleared
+from domeshim.draw.target import drawing_to
 from domeshim.driver import Driver
 from domeshim.lens.keystone import WHOLE, Keystone
 from domeshim.lens.landing import Lens
@@ -22,7 +23,7 @@ from domeshim.state.scissor import Edges
 COLOR, DEPTH, STENCIL = 0x4000, 0x0100, 0x0400
 _TRIANGLES, _ALWAYS, _REPLACE, _DEPTH_TEST, _STENCIL_TEST = 4, 0x0207, 0x1E01, 0x0B71, 0x0B90
 _COLOR_CLEAR_VALUE, _DEPTH_CLEAR_VALUE, _STENCIL_CLEAR_VALUE = 0x0C22, 0x0B73, 0x0B91
-_CELLS, _DRAW_FRAMEBUFFER = 64 * 128, 0x8CA9
+_CELLS = 64 * 128
 
 
 class PartClear:
@@ -43,19 +44,15 @@ class PartClear:
         camera: (3, 3), a direction's x, y and w in the main view; edges: in that view, only inner ones cut.
         """
         gl = self._driver
-        with way_cleared(gl):
+        with drawing_to(gl, canvas.framebuffer), way_cleared(gl):
             gl.glDepthRange(0.0, 1.0)
             self._choose_buffers(mask)
             program = self._set_up(canvas.kind, camera, edges)
-            if gl.has("glBindFramebuffer"):
-                gl.glBindFramebuffer(_DRAW_FRAMEBUFFER, canvas.framebuffer)
             for view in canvas.views:
                 gl.glViewport(*view.viewport)
                 for name, values in view.uniforms:
                     program.set(name, values)
                 draw_numbered(gl, _TRIANGLES, 0, 6 * _CELLS if canvas.kind == "disc" else 6)
-            if canvas.framebuffer:
-                gl.glBindFramebuffer(_DRAW_FRAMEBUFFER, 0)
 
     def _choose_buffers(self, mask: int) -> None:
         gl = self._driver

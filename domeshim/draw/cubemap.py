@@ -9,6 +9,7 @@ import numpy as np
 
 from domeshim.draw.atlas import Atlas, restored
 from domeshim.draw.resampling import Resampling
+from domeshim.draw.target import drawing_to
 from domeshim.draw.tiles import Tile, packed
 from domeshim.driver import Driver
 from domeshim.errors import DriverError
@@ -44,8 +45,11 @@ class CubeCanvas:
         lens: RadialLens,
         orientation: Orientation,
         say: Callable[[str], None],
+        window: Callable[[], int],
     ) -> None:
-        """The window must be current. say: tells the user.
+        """The window must be current.
+
+        say: tells the user; window: asks for the number of its framebuffer.
 
         Raises DriverError where this GL has no framebuffer for it.
         """
@@ -55,6 +59,7 @@ class CubeCanvas:
         self._driver = driver
         self._square = frame.square
         self._say = say
+        self._window = window
         self._turn = orientation.turn
         self._tiles = [
             Tile(face, options.face_size or face_size(face, lens, options.fov, frame.square[2]))
@@ -64,7 +69,7 @@ class CubeCanvas:
         with restored(driver):
             self._atlas = Atlas(driver, size)
             self._resampling = Resampling(driver, self._atlas, self.views, lens, orientation)
-        self.framebuffer = self._atlas.framebuffer
+        self.framebuffer: int | None = self._atlas.framebuffer
         self._depth: Depth = (0.0, 0.0)
         self._fresh = self._straight = False
 
@@ -98,15 +103,13 @@ class CubeCanvas:
         gl = self._driver
         with restored(gl):
             self._atlas.resolve(deep=deep)
-            gl.glBindFramebuffer(_DRAW_FRAMEBUFFER, 0)
+            gl.glBindFramebuffer(_DRAW_FRAMEBUFFER, self._window())
             self._resampling.draw(self._square, (planar(self._depth), self._depth) if deep else None)
 
     def clear(self, mask: int) -> None:
         """As for Canvas."""
-        gl = self._driver
-        gl.glBindFramebuffer(_DRAW_FRAMEBUFFER, self.framebuffer)
-        gl.glClear(mask & _DRAWN_BITS)
-        gl.glBindFramebuffer(_DRAW_FRAMEBUFFER, 0)
+        with drawing_to(self._driver, self.framebuffer):
+            self._driver.glClear(mask & _DRAWN_BITS)
         self._fresh, self._straight = True, False
 
     def places(self, direction: Floats) -> list[tuple[float, float, float] | None]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from ctypes import byref, c_uint
 from typing import Any
 
@@ -25,8 +26,10 @@ _RGBA8, _RGBA, _BYTE, _PIXEL_BUFFER = 0x8058, 0x1908, 0x1401, 0x88EC
 class Finish:
     """Draws one window's finished pictures once more; the window must be current in all calls."""
 
-    def __init__(self, driver: Driver, finishing: Finishing) -> None:
+    def __init__(self, driver: Driver, finishing: Finishing, window: Callable[[], int] = lambda: 0) -> None:
+        """window: asks for the number of the window's framebuffer."""
         self._driver = driver
+        self._window = window
         self._size = finishing.frame.size
         mesh = finishing.mesh
         self._framebuffer, self._copy = c_uint(), c_uint()
@@ -50,15 +53,15 @@ class Finish:
             self._program["picture"].value = 0
 
     def draw(self) -> None:
-        """Put the window's back buffer, which holds the dome's picture, through the mesh."""
-        gl = self._driver
+        """Put the window's picture, which is the dome's, through the mesh."""
+        gl, window = self._driver, self._window()
         box = (0, 0, *self._size)
         with restored(gl), way_cleared(gl):
             gl.glColorMask(1, 1, 1, 1)
-            gl.glBindFramebuffer(_READ, 0)
+            gl.glBindFramebuffer(_READ, window)
             gl.glBindFramebuffer(_DRAW, self._framebuffer)
             gl.glBlitFramebuffer(*box, *box, _COLOR_BIT, _NEAREST)
-            gl.glBindFramebuffer(_DRAW, 0)
+            gl.glBindFramebuffer(_DRAW, window)
             gl.glViewport(*box)
             gl.glClearColor(0.0, 0.0, 0.0, 1.0)
             gl.glClear(_COLOR_BIT)
@@ -66,12 +69,12 @@ class Finish:
             self._mesh.render(moderngl.TRIANGLES)
 
     def put_back(self) -> None:
-        """Put the picture as it was before into the window's back buffer, for the program to go on with."""
+        """Put the picture as it was before into the window, for the program to go on with."""
         gl = self._driver
         box = (0, 0, *self._size)
         with restored(gl), way_cleared(gl):
             gl.glBindFramebuffer(_READ, self._framebuffer)
-            gl.glBindFramebuffer(_DRAW, 0)
+            gl.glBindFramebuffer(_DRAW, self._window())
             gl.glBlitFramebuffer(*box, *box, _COLOR_BIT, _NEAREST)
 
     def close(self) -> None:

@@ -45,7 +45,9 @@ class Dome(Draws):
         if frame.aside and around is None and 0 in frame.strip()[2:]:
             size = "{}x{}".format(*frame.size)
             raise OptionError(f"DOME_HUD=side: {size} has no room beside the disc; set DOME_FRAME=WxH")
-        self._windows[window] = WindowDome(self._session.options, self._driver, frame, around)
+        self._windows[window] = WindowDome(
+            self._session.options, self._driver, frame, lambda: window.framebuffer, around
+        )
         self.window_current(window)
 
     def window_current(self, window: Window | None) -> None:

@@ -67,10 +67,9 @@ def read_pixels(dome: Dome, original: Call) -> Call:
             values = _depths(context, pixels) if kind == _DEPTH_COMPONENT else _colours(context, pixels)
             framebuffer, texture = _stored(gl, values)
         try:
-            gl.glBindFramebuffer(_READ_FRAMEBUFFER, framebuffer)
             return original(0, 0, *area[2:], format, *args, **named)
         finally:
-            gl.glBindFramebuffer(_READ_FRAMEBUFFER, 0)
+            gl.glBindFramebuffer(_READ_FRAMEBUFFER, context.window())
             gl.glDeleteFramebuffers(1, byref(framebuffer))
             gl.glDeleteTextures(1, byref(texture))
 
@@ -88,7 +87,7 @@ def _reads_window(context: DomeContext, area: tuple[int, int, int, int], kind: i
     return (
         context.pixels.placed
         and min(area[2:]) > 0
-        and not gl.integer(_READ_FRAMEBUFFER_BINDING)
+        and gl.integer(_READ_FRAMEBUFFER_BINDING) == context.window()
         and (kind not in (_DEPTH_COMPONENT, _DEPTH_STENCIL) or gl.integer(_DEPTH_BITS) > 0)
     )
 
@@ -157,7 +156,7 @@ def _gathered(
 
 
 def _stored(gl: Driver, values: NDArray[Any]) -> tuple[c_uint, c_uint]:
-    """A framebuffer that holds these values, and its texture: GL reads from it as from the window."""
+    """A framebuffer that holds these values, and its texture: GL reads from it now, as from the window."""
     framebuffer, texture = c_uint(), c_uint()
     deep = values.ndim == 2
     gl.glGenTextures(1, byref(texture))
@@ -173,5 +172,4 @@ def _stored(gl: Driver, values: NDArray[Any]) -> tuple[c_uint, c_uint]:
     gl.glBindFramebuffer(_READ_FRAMEBUFFER, framebuffer)
     attachment = _DEPTH_ATTACHMENT if deep else _COLOR_ATTACHMENT
     gl.glFramebufferTexture2D(_READ_FRAMEBUFFER, attachment, _TEXTURE_2D, texture, 0)
-    gl.glBindFramebuffer(_READ_FRAMEBUFFER, 0)
     return framebuffer, texture

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 from domeshim.draw.card import TestCard
 from domeshim.draw.rim import Rim
 from domeshim.draw.submit import Submitter
+from domeshim.draw.target import drawing_to
 from domeshim.driver import Driver
 from domeshim.options import Options
 from domeshim.record.lists import DisplayLists
@@ -26,11 +28,16 @@ class WindowDome:
     """All that the dome keeps for one window."""
 
     def __init__(
-        self, options: Options, driver: Driver, frame: Frame, around: WindowDome | None = None
+        self,
+        options: Options,
+        driver: Driver,
+        frame: Frame,
+        window: Callable[[], int],
+        around: WindowDome | None = None,
     ) -> None:
-        """around: the outermost window's, where this one lies inside another."""
+        """window: as for DomeContext; around: the outermost window's, where this one lies inside another."""
         main = around.context.placer.main if around else None
-        self.context: DomeContext = DomeContext(options, frame, driver, main)
+        self.context: DomeContext = DomeContext(options, frame, driver, main, window)
         self.lists = DisplayLists(driver, apart=self.context.several)
         self.submitter = Submitter(driver)
         self.rim = Rim(driver)
@@ -64,12 +71,13 @@ class WindowDome:
                 "DOME_MAX_TURN: no gluLookAt tells where the program looks; its view turns freely"
             )
         context.settle()
-        self.rim.draw(context.frame, context.lens.rim)
-        self.card.draw(context.frame)
-        if context.shows_levels:
-            from domeshim.draw.levels import draw_legend  # noqa: PLC0415 - for those who look at levels
+        with drawing_to(context.driver, context.window()):
+            self.rim.draw(context.frame, context.lens.rim)
+            self.card.draw(context.frame)
+            if context.shows_levels:
+                from domeshim.draw.levels import draw_legend  # noqa: PLC0415 - for those who look at levels
 
-            draw_legend(context.driver, context.frame)
+                draw_legend(context.driver, context.frame)
 
     def finish(self) -> None:
         """Make of the picture in the back buffer what the projector needs; the window must be current."""
@@ -82,14 +90,14 @@ class WindowDome:
 
             if self._finish is not None:
                 self._finish[1].close()
-            self._finish = wanted, Finish(self.context.driver, wanted)
+            self._finish = wanted, Finish(self.context.driver, wanted, self.context.window)
         self._finish[1].draw()
         self.context.put_back = self._finish[1].put_back
 
     @property
     def holds_passes(self) -> bool:
         """It holds more of GL than goes with the window's context."""
-        return bool(self.context.canvas.framebuffer) or self._finish is not None
+        return self.context.canvas.framebuffer is not None or self._finish is not None
 
     def close(self) -> None:
         """Free what the passes over whole pictures hold of GL; the window must be current."""

@@ -12,7 +12,8 @@ from dataclasses import replace
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any
 
-from domeshim.draw.canvas import canvas_of
+from domeshim.draw.canvas import Canvas, canvas_of
+from domeshim.draw.target import drawn_to
 from domeshim.driver import Driver
 from domeshim.lens.chosen import lens_chosen
 from domeshim.lens.landing import Lens
@@ -39,7 +40,7 @@ if TYPE_CHECKING:
 
 _TEXTURE, _RASTERIZER_DISCARD = 0x1702, 0x8C89
 _PATCH_VERTICES, _CURRENT_AND_LIGHTING_BITS = 0x8E72, 0x0041
-_CURRENT_COLOR, _DRAW_FRAMEBUFFER_BINDING = 0x0B00, 0x8CA6
+_CURRENT_COLOR = 0x0B00
 _NOT_IN_WINDOW = frozenset(("render mode", "framebuffer"))
 """Reasons to stay out of draws that leave no pixel in the window."""
 
@@ -47,9 +48,21 @@ _NOT_IN_WINDOW = frozenset(("render mode", "framebuffer"))
 class DomeContext:
     """The dome's side of one GL context."""
 
-    def __init__(self, options: Options, frame: Frame, driver: Driver, main: MainView | None = None) -> None:
-        """main: that of the window around this one, if there is one."""
+    def __init__(
+        self,
+        options: Options,
+        frame: Frame,
+        driver: Driver,
+        main: MainView | None = None,
+        window: Callable[[], int] = lambda: 0,
+    ) -> None:
+        """main: that of the window around this one, if there is one.
+
+        window: asks for the number of the window's framebuffer.
+        """
         self.driver = driver
+        self.window = window
+        """Asks for the number of the window's framebuffer, which a toolkit may change."""
         self._frame = frame
         self.lens: Lens = lens_chosen(options)
         self.orientation = Orientation.of(options)
@@ -74,7 +87,7 @@ class DomeContext:
         self._dresser = Dresser(self, options)
         self.worn = self._dresser.worn
         """What is on in GL now, over the program's own state."""
-        self.canvas = canvas_of(driver, options, frame, self.lens, self.orientation, self.say_once)
+        self.canvas = self._canvas()
         self.raster = RasterPoints(self)
         self._patch: Patch | None = None
         self.put_back: Callable[[], object] | None = None
@@ -154,8 +167,7 @@ class DomeContext:
 
     def framebuffer_bound(self) -> None:
         """The program may have bound a framebuffer of its own, or the window again."""
-        own = self.driver.has("glBindFramebuffer") and self.driver.integer(_DRAW_FRAMEBUFFER_BINDING) != 0
-        self.bypass("framebuffer", on=own)
+        self.bypass("framebuffer", on=drawn_to(self.driver) != self.window())
         self._where.changed = True
 
     @property
@@ -281,11 +293,14 @@ class DomeContext:
         if frame != self._frame:
             self.put_back = None
             self.canvas.close()
-            self.canvas = canvas_of(
-                self.driver, self._options, frame, self.lens, self.orientation, self.say_once
-            )
-        self._frame = frame
+            self._frame = frame
+            self.canvas = self._canvas()
         self._where.changed = True
+
+    def _canvas(self) -> Canvas:
+        return canvas_of(
+            self.driver, self._options, self._frame, self.lens, self.orientation, self.say_once, self.window
+        )
 
     def undress(self) -> None:
         """Give GL back to the program just as it left it."""

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from domeshim.draw.target import drawn_to
 from domeshim.driver import Driver
 from domeshim.shading.program import Uniforms
 from domeshim.state.clip_planes import ClipPlanes, Equation
@@ -38,7 +39,8 @@ class Dressing(NamedTuple):
     views: tuple[View, ...]
     uniforms: Uniforms | None = None
     """Of the program that draws; None where none of the dome's numbers reach it."""
-    framebuffer: int = 0
+    framebuffer: int | None = None
+    """None: the program's own choice."""
     planes: tuple[tuple[int, Equation], ...] = ()
     """What stands in GL's clip planes, by number, instead of the program's."""
 
@@ -53,6 +55,8 @@ class Worn:
         """The program's scissor box, where it is switched off and was changed all the same."""
         self._buffer: int | None = None
         """The program's draw buffer, where another was chosen."""
+        self._bound = 0
+        """The program's framebuffer, where another was chosen."""
         self._view = self._own
         self.dressing: Dressing | None = None
         self.clip_planes = ClipPlanes(driver)
@@ -78,7 +82,10 @@ class Worn:
         if new.planes != old.planes:
             self.clip_planes.take(dict(new.planes))
         if new.framebuffer != old.framebuffer:
-            gl.glBindFramebuffer(_DRAW_FRAMEBUFFER, new.framebuffer)
+            if old.framebuffer is None:
+                self._bound = drawn_to(gl)
+            bound = self._bound if new.framebuffer is None else new.framebuffer
+            gl.glBindFramebuffer(_DRAW_FRAMEBUFFER, bound)
         self.show(new.views[0])
 
     def show(self, view: View) -> None:
@@ -107,8 +114,8 @@ class Worn:
             self._buffer = None
         if old.planes:
             self.clip_planes.give_back()
-        if old.framebuffer:
-            gl.glBindFramebuffer(_DRAW_FRAMEBUFFER, 0)
+        if old.framebuffer is not None:
+            gl.glBindFramebuffer(_DRAW_FRAMEBUFFER, self._bound)
         if old.program:
             gl.glUseProgram(program)
 
