@@ -207,7 +207,7 @@ class WatchedDriver(Driver):
         if listed is None or not listed.draws:
             call_list(name)
             return
-        self._count(Tally(1, listed.vertices, listed.primitives, cut=listed.cut))
+        self._count(Tally(1, listed.vertices, listed.primitives, listed.generated, listed.cut))
         self._begin_query()
         call_list(name)
         self._end_query()
@@ -229,18 +229,22 @@ class WatchedDriver(Driver):
         return max(self._gl.integer(_PATCH_VERTICES), 1) if mode == PATCHES else 1
 
     def _count(self, tally: Tally) -> None:
+        drawn = tally.generated or tally.primitives
         if self._given is not None:
             tally.primitives, tally.cut = self._given.primitives, self._given.cut
         if self.doing:
             self.owners[self._bound] = self.doing
         if self._listing is not None:
             self._listing.add(tally)
+            self._listing.generated += drawn
             if self._mode != _COMPILE_AND_EXECUTE:
                 return
         self.tallies[self._bound].add(tally)
+        if self._gl.legacy:  # no query, and no shader that makes others of them
+            self.tallies[self._bound].generated += drawn
 
     def _begin_query(self) -> None:
-        if self._listing is not None:
+        if self._listing is not None or self._gl.legacy:
             return
         if not self._query:
             query = c_uint()
@@ -249,7 +253,7 @@ class WatchedDriver(Driver):
         self._gl.glBeginQuery(_PRIMITIVES_GENERATED, self._query)
 
     def _end_query(self) -> None:
-        if self._listing is not None:
+        if self._listing is not None or self._gl.legacy:
             return
         self._gl.glEndQuery(_PRIMITIVES_GENERATED)
         found = c_uint()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 import sys
@@ -196,6 +197,24 @@ def test_a_whole_program_with_mesa_as_old_as_that(tmp_path: Path) -> None:
     assert "glReadPixels reads the dome's picture" in words
     # Without framebuffer objects the driver's own reading gives one of a pixel's samples.
     assert (np.abs(usual - bare) > 1).any(-1).mean() < 0.2
+
+
+def test_its_draws_are_explained(tmp_path: Path) -> None:
+    reports = []
+    for environment in ({}, {**OLD, "MESA_EXTENSION_OVERRIDE": BARE}):
+        ran = subprocess.run(
+            [sys.executable, "-m", "domeshim", "explain", "--json", PROGRAM],
+            env={**os.environ, "DOME_METHOD": "cpu", **environment},
+            capture_output=True,
+            text=True,
+        )
+        assert ran.returncode == 0, ran.stderr
+        reports.append(json.loads(ran.stdout[ran.stdout.index("{") :])["draws"])
+    usual, old = (
+        [(way["kind"], way["primitives"], way["generated"]) for way in report] for report in reports
+    )
+    assert len(usual) > 4
+    assert usual == old
 
 
 @pytest.mark.parametrize("setting", [("DOME_GAMMA", "2"), ("DOME_METHOD", "cubemap")])
