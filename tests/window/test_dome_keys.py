@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from importlib.util import find_spec
 from pathlib import Path
 
 import numpy as np
@@ -20,12 +21,11 @@ domeshim.install()
 from OpenGL.GL import *
 from OpenGL.GLU import *
 from domeshim import session
-from domeshim.measure.pixels import read_pixels
 
 heard, pictures = [], []
 class Watcher:
     def frame_finished(self, window, number):
-        pixels = read_pixels(*window.size)
+        pixels = glReadPixels(0, 0, *window.size, GL_RGB, GL_UNSIGNED_BYTE)
         pictures.append(sum(pixels[i] > 200 and pixels[i + 2] > 200 for i in range(0, len(pixels), 3)))
 session.current().listeners.append(Watcher())
 STEPS = iter(["key a", "key ctrl+shift+p", "key b", "key ctrl+shift+p", "key ctrl+p"])
@@ -85,6 +85,38 @@ while True:
     first = False
     step()
 """
+QT = """
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtWidgets import QApplication
+from PySide6.QtOpenGLWidgets import QOpenGLWidget
+CONTROL = Qt.KeyboardModifier.ControlModifier
+class Widget(QOpenGLWidget):
+    def paintGL(self):
+        draw()
+    def keyPressEvent(self, event):
+        if event.key() < 256:
+            heard.append("ctrl" if event.modifiers() & CONTROL else event.text())
+app = QApplication([])
+widget = Widget()
+widget.setWindowTitle("card")
+widget.resize(400, 400)
+widget.show()
+def tick():
+    if began:
+        shown.append(pictures[-1])
+    began.append(1)
+    step()
+    if len(began) != 3:  # the card comes and goes by itself
+        widget.update()
+def begin():
+    subprocess.run("xdotool search --onlyvisible --name ^card windowfocus".split(), check=True)
+    timer.start(300)
+began, timer = [], QTimer()
+timer.timeout.connect(tick)
+QTimer.singleShot(1000, begin)
+app.exec()
+"""
+needs_pyside = pytest.mark.skipif(find_spec("PySide6") is None, reason="PySide6 is not installed")
 
 
 @needs_xvfb
@@ -93,8 +125,9 @@ while True:
     [
         (GLUT, ["a", "up", "b", "up", "\x10", "up"]),
         (GLFW, ["a", "up", "b", "up", "ctrl", "up"]),
+        pytest.param(QT, ["a", "b", "ctrl"], marks=needs_pyside),
     ],
-    ids=["GLUT", "glfw"],
+    ids=["GLUT", "glfw", "Qt"],
 )
 def test_on_screen(tmp_path: Path, source: str, heard: list[str]) -> None:
     ended = run_on_screen(tmp_path, COMMON + source)

@@ -189,7 +189,7 @@ def picture(folder: Path) -> np.ndarray:
     return np.asarray(Image.open(folder / "picture.png")).astype(int)
 
 
-def photograph(folder: Path, source: str) -> tuple[np.ndarray, str]:
+def photograph(folder: Path, source: str, **variables: str) -> tuple[np.ndarray, str]:
     """Run the program, standing still, with DOME=1 on a display of its own; what it shows, and stderr."""
     write(folder, source, step=0.0)
     (folder / "grab.py").write_text(GRAB)
@@ -201,7 +201,7 @@ def photograph(folder: Path, source: str) -> tuple[np.ndarray, str]:
     done = subprocess.run(
         ["xvfb-run", "-a", "-s", "-screen 0 300x300x24", "bash", "-c", script],
         cwd=folder,
-        env=environment(DOME="1"),
+        env=environment(DOME="1", **variables),
         capture_output=True,
         text=True,
         timeout=90,

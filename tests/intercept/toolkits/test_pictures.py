@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import shutil
 from importlib.util import find_spec
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from tests.intercept.toolkits import program_runs as runs
+from tests.lens.test_surfaces import bourke
 
 
 def qt(source: str, binding: str, kind: str) -> object:
@@ -50,7 +52,34 @@ def test_a_capture_is_glut_s(source, mode, tmp_path, captured_by_glut):
 def test_on_a_display_the_toolkits_own_window_shows_the_dome(source, tmp_path, seen_by_glut):
     seen, stderr = runs.photograph(tmp_path, source)
     assert "domeshim:" not in stderr
-    if "could not connect" in stderr or "Could not load the Qt platform plugin" in stderr:
-        pytest.skip("Qt's plugin for X11 lacks libraries here (Debian: libxcb-cursor0)")
+    skip_without_plugin(stderr)
     # Qt's windows are not smoothed, GLUT's are: edges may differ, and nothing else.
     assert (np.abs(seen - seen_by_glut) > 8).any(axis=2).mean() < 0.01
+
+
+def skip_without_plugin(stderr: str) -> None:
+    if "could not connect" in stderr or "Could not load the Qt platform plugin" in stderr:
+        pytest.skip("Qt's plugin for X11 lacks libraries here (Debian: libxcb-cursor0)")
+
+
+WAYS = [
+    {"DOME_METHOD": "cubemap"},
+    {"DOME_SURFACE": "mesh.data", "DOME_FADE": "20"},
+    {"DOME_SURFACE": "keystone:0.1,0.05,0.95,0,0.9,1,0,0.9", "DOME_TILT": "20"},
+    {"DOME_STEREO": "top-bottom", "DOME_MIRROR": "horizontal"},
+]
+
+
+@pytest.mark.skipif(not shutil.which("xvfb-run"), reason="needs xvfb-run")
+@pytest.mark.parametrize("source", PROGRAMS[2:3])
+@pytest.mark.parametrize("way", WAYS, ids=lambda way: ",".join(way.values()))
+def test_each_way_to_the_dome_is_glut_s_in_qt(source: str, way: dict[str, str], tmp_path: Path):
+    seen = []
+    for program in (source, runs.GLUT):
+        (tmp_path / "mesh.data").write_text(bourke(place=lambda u, v: ((2 * u - 1) * (1 - 0.2 * v), v - 0.5)))
+        picture, stderr = runs.photograph(tmp_path, program, **way)
+        assert "domeshim:" not in stderr
+        skip_without_plugin(stderr)
+        seen.append(picture)
+    assert len(np.unique(seen[1].reshape(-1, 3), axis=0)) >= 3  # the rim, the background and the scene
+    assert (np.abs(seen[0] - seen[1]) > 8).any(axis=2).mean() < 0.01
