@@ -58,6 +58,8 @@ class Dome(Draws):
         self.building = self.lists.building if self.lists else None
         if self.context is not None:
             self.context.viewport_changed()  # another window may have changed the main view that they share
+            if self.context.in_own_framebuffer:
+                self.context.framebuffer_bound()  # the toolkit may have bound the window's again, unseen
             self.context.pass_by(self._session.passing)
 
     def window_resized(self, window: Window, program_size: tuple[int, int]) -> None:

@@ -184,6 +184,26 @@ def test_the_next_picture_goes_on_from_the_unfinished_one(beside: Framed, tmp_pa
     of_both(beside, drawing, **options({"surface": MESH, "mirror": "vertical"}, tmp_path))
 
 
+@pytest.mark.parametrize("framed", [False, True])
+@pytest.mark.parametrize("method", ["auto", "cubemap"])
+def test_a_toolkit_binds_the_windows_again_unseen(beside: Framed, method: str, framed: bool) -> None:
+    def left_elsewhere_before(gl: GL) -> None:
+        framebuffer(gl)
+        window = beside.session.window
+        assert window is not None
+        beside.stock.glBindFramebuffer(gl.GL_FRAMEBUFFER, window.framebuffer)
+        beside.session.window_current(window)
+        scene(gl)
+
+    beside.framed = framed
+    once, again = (
+        beside.through_dome(drawn, SIZE, fov=180.0, method=method).picture
+        for drawn in (scene, left_elsewhere_before)
+    )
+    assert once.std() > 10
+    assert (again == once).all()
+
+
 def test_the_card_lies_over_it(beside: Framed) -> None:
     def drawing(gl: GL, finish: Any) -> None:
         window, dome = beside.session.window, beside.session.dome

@@ -1,7 +1,7 @@
 """Qt: QOpenGLWidget, QOpenGLWindow and the QGLWidget of old draw in paintGL, whose end finishes a picture.
 
 The names of these classes lead to subclasses of them; what a program derives from one has its paintGL and
-its like led through here. The widget's frame buffer need not be GL's number 0, nor is it ever asked for.
+its like led through here. The widget's frame buffer need not be GL's number 0: its window says which it is.
 """
 
 from __future__ import annotations
