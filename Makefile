@@ -59,7 +59,7 @@ stability: $(VENV)/developed debian
 watertight: $(VENV)/developed debian
 	MESHES=1000 $(BIN)/python -m pytest tests/pictures/test_watertight.py
 
-# Error against run time, and the shim's own cost: docs/report.md, in half an hour; VTK's where it is installed.
+# Error against run time, and the shim's own cost: docs/report.md, in some five minutes; VTK's where it is installed.
 report: $(VENV)/developed debian
 	$(BIN)/python benchmarks/report.py
 

@@ -73,7 +73,7 @@ ELSEWHERE = """\
 
     make report
 
-It takes about half an hour on two quiet cores. `python benchmarks/report.py FOLDER` takes what
+It takes some five minutes on two quiet cores. `python benchmarks/report.py FOLDER` takes what
 `domeshim bench --output FOLDER` has measured."""
 
 
