@@ -73,7 +73,7 @@ def few_as_quads(
 def _quads_of_mode(mode: int, count: int, *, flat: bool) -> tuple[int, ...]:
     """The vertices of what a mode's triangles make two by two; nothing where one is left over."""
     triangles = corners(mode, count)
-    places, first = _meeting(triangles.astype(np.int64).tobytes(), flat=flat)
+    places, first = _meeting(triangles.tobytes(), flat=flat)
     chosen = _every_second(first)
     whole = 2 * len(chosen) == len(triangles)
     return tuple(triangles.ravel()[places[chosen]].ravel().tolist()) if whole else ()

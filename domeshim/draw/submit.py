@@ -75,7 +75,7 @@ class Submitter:
         changes = recorder.rare or not knows_all(recorder)
         if changes or not shader_subdivides(kinds, context, subdivision):
             return False
-        by_quads = not recorder.has_w and takes_quads(context, subdivision)
+        by_quads = "triangles" in kinds and not recorder.has_w and takes_quads(context, subdivision)
         flat = by_quads and is_flat(context)
         for block, kind in zip(recorder.blocks, kinds, strict=True):
             order = None

@@ -47,15 +47,17 @@ def quad_weights(shares: Floats, angles: Floats, distances: Floats) -> Floats:
     of_across = _even(np.hstack([1 - across, across]), angles[:, :1] * (1 - up) + angles[:, 2:3] * up)
     of_up = _even(np.hstack([1 - up, up]), angles[:, 3:] * (1 - across) + angles[:, 1:2] * across)
     weights = of_across[:, [0, 1, 1, 0]] * of_up[:, [0, 0, 1, 1]] * (nearest / distances)
-    for side, (share, at, first, second) in enumerate(
-        ((up, 0, 0, 1), (across, 1, 1, 2), (up, 1, 3, 2), (across, 0, 0, 3))
-    ):
-        along = across if side % 2 == 0 else up
-        edge = np.zeros_like(weights)
-        edge[:, [first, second]] = line_weights(
-            np.hstack([1 - along, along]), angles[:, side], distances[:, [first, second]]
+    for side, (on_side, along, ends) in enumerate(
+        (
+            (up == 0, across, [0, 1]),
+            (across == 1, up, [1, 2]),
+            (up == 1, across, [3, 2]),
+            (across == 0, up, [0, 3]),
         )
-        weights = np.where(share == at, edge, weights)
+    ):
+        edge = np.zeros_like(weights)
+        edge[:, ends] = line_weights(np.hstack([1 - along, along]), angles[:, side], distances[:, ends])
+        weights = np.where(on_side, edge, weights)
     return np.asarray(weights / weights.sum(1, keepdims=True))
 
 

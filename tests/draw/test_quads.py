@@ -10,6 +10,14 @@ from domeshim.record.runs import Run
 SQUARE = [[0, 0, -1], [1, 0, -1], [1, 1, -1], [0, 1, -1]]
 ROOF = [[0, 1, -1], [1, 1, -1], [0.5, 2, -1]]
 TRIANGLES, STRIP, FAN, QUADS, QUAD_STRIP, POLYGON = range(4, 10)
+BY_INDEX = [
+    (QUADS, [0, 1, 2, 3]),
+    (POLYGON, [0, 1, 2, 3]),
+    (FAN, [0, 1, 2, 3]),
+    (STRIP, [0, 1, 3, 2]),
+    (QUAD_STRIP, [0, 1, 3, 2]),
+]
+"""Modes whose two triangles share vertices, and the square's corners in their order."""
 
 
 def run(positions, **attributes):
@@ -33,16 +41,7 @@ def surface(positions, kind, found):
 
 
 @pytest.mark.parametrize(
-    ("mode", "order"),
-    [
-        (QUADS, [0, 1, 2, 3]),
-        (POLYGON, [0, 1, 2, 3]),
-        (FAN, [0, 1, 2, 3]),
-        (STRIP, [0, 1, 3, 2]),
-        (QUAD_STRIP, [0, 1, 3, 2]),
-        (TRIANGLES, [0, 1, 2, 0, 2, 3]),
-        (TRIANGLES, [2, 3, 1, 1, 3, 0]),
-    ],
+    ("mode", "order"), [*BY_INDEX, (TRIANGLES, [0, 1, 2, 0, 2, 3]), (TRIANGLES, [2, 3, 1, 1, 3, 0])]
 )
 def test_a_square_is_one_quad_by_any_mode(mode, order):
     positions = np.array(SQUARE)[order]
@@ -118,16 +117,7 @@ def test_many_turns_are_not_worth_it():
     assert (found == triangles).all()
 
 
-@pytest.mark.parametrize(
-    ("mode", "order"),
-    [
-        (QUADS, [0, 1, 2, 3]),
-        (POLYGON, [0, 1, 2, 3]),
-        (FAN, [0, 1, 2, 3]),
-        (STRIP, [0, 1, 3, 2]),
-        (QUAD_STRIP, [0, 1, 3, 2]),
-    ],
-)
+@pytest.mark.parametrize(("mode", "order"), BY_INDEX)
 def test_a_few_vertices_are_judged_alike(mode, order):
     square = np.array(SQUARE)[order]
     ((_, want),) = stretches(run(square), corners(mode, 4))

@@ -200,6 +200,15 @@ def looking(gl: GL, *, depth: bool = True) -> None:
         gl.glEnable(gl.GL_DEPTH_TEST)
 
 
+def flat(gl: GL) -> None:
+    """The window's pixels are the program's units."""
+    gl.glMatrixMode(gl.GL_PROJECTION)
+    gl.glLoadIdentity()
+    gl.gluOrtho2D(0, SIZE, 0, SIZE)
+    gl.glMatrixMode(gl.GL_MODELVIEW)
+    gl.glLoadIdentity()
+
+
 def looking_around(gl: GL) -> None:
     """A clear window, 60 degrees of perspective, the eye at the origin."""
     gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT)

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.pictures.beside import GL, SIZE, Beside, Scene
+from tests.pictures.beside import GL, SIZE, Beside, Scene, flat
 
 PLACES = [(20, 180, 50, 40), (150, 30, 70, 20), (100, 100, 24, 60), (200, 196, 80, 60)]
 """x, y, width, height; the last reaches beyond the window."""
@@ -45,14 +45,6 @@ def image(gl: GL, x: int, y: int, width: int, height: int) -> None:
     gl.glRasterPos2f(x, min(y + height, SIZE - 0.001))
     pixels = np.tile(colour, (height // 2, width // 2, 1))
     gl.glDrawPixels(width // 2, height // 2, gl.GL_RGBA, gl.GL_UNSIGNED_BYTE, pixels)
-
-
-def flat(gl: GL) -> None:
-    gl.glMatrixMode(gl.GL_PROJECTION)
-    gl.glLoadIdentity()
-    gl.gluOrtho2D(0, SIZE, 0, SIZE)
-    gl.glMatrixMode(gl.GL_MODELVIEW)
-    gl.glLoadIdentity()
 
 
 def drawn(draw: Callable[..., None], *, hud: bool, in_list: bool = False, busy: bool = False) -> Scene:

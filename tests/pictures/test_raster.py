@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.pictures.beside import FOV, GL, SIZE, Beside, looking, sphere
+from tests.pictures.beside import FOV, GL, Beside, flat, looking, sphere
 
 GLYPH = np.packbits(np.random.default_rng(4).integers(0, 2, (16, 16)), axis=1)
 
@@ -199,14 +199,6 @@ def test_a_point_behind_the_viewer_draws_nothing(beside: Beside, z: float, seen:
             paint(gl)
 
     assert beside.through_dome(scene, fov=180).picture.any() == seen
-
-
-def flat(gl: GL) -> None:
-    gl.glMatrixMode(gl.GL_PROJECTION)
-    gl.glLoadIdentity()
-    gl.gluOrtho2D(0, SIZE, 0, SIZE)
-    gl.glMatrixMode(gl.GL_MODELVIEW)
-    gl.glLoadIdentity()
 
 
 def hud(gl: GL) -> None:

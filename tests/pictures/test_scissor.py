@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from domeshim.state.scissor import Edges, edges_of
-from tests.pictures.beside import GL, SIZE, Beside, looking, sphere
-from tests.pictures.test_raster import flat, write
+from tests.pictures.beside import GL, SIZE, Beside, flat, looking, sphere
+from tests.pictures.test_raster import write
 
 
 def colourful(gl: GL) -> None:
