@@ -14,12 +14,11 @@ from domeshim.lens.orientation import Orientation
 from domeshim.lens.projection import direction_of, disc_of
 from domeshim.lens.radial import RadialLens
 from domeshim.options import Options
+from domeshim.state.perspective import DepthTerms
 from domeshim.state.views import View
 from domeshim.window.frame import NO_QUAD, Frame
 
 _STEREO, _BACK_LEFT, _BACK_RIGHT = 0x0C33, 0x0402, 0x0403
-Depth = tuple[float, float]
-"""The uniform domeDepth of a placement."""
 
 
 class Canvas(Protocol):
@@ -32,7 +31,7 @@ class Canvas(Protocol):
     views: tuple[View, ...]
     """Each draw is made once in every one of them."""
 
-    def drawn(self, depth: Depth) -> None:
+    def drawn(self, depth: DepthTerms) -> None:
         """Something is about to be drawn onto it by this domeDepth; (0, 0) on the panel."""
 
     def settle(self, *, deep: bool = False, straight: bool = False) -> None:
@@ -69,7 +68,7 @@ class DiscCanvas:
         self._orientation = orientation
         self.views = tuple(_views(options, frame))
 
-    def drawn(self, depth: Depth) -> None:
+    def drawn(self, depth: DepthTerms) -> None:
         """Nothing: the window has it."""
 
     def settle(self, *, deep: bool = False, straight: bool = False) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 import numpy as np
 
@@ -18,12 +18,9 @@ from domeshim.lens.landing import Floats
 from domeshim.lens.orientation import Orientation
 from domeshim.lens.radial import RadialLens
 from domeshim.options import Options
-from domeshim.state.perspective import planar
+from domeshim.state.perspective import DepthTerms, planar
 from domeshim.state.views import View
 from domeshim.window.frame import Frame
-
-if TYPE_CHECKING:
-    from domeshim.draw.canvas import Depth
 
 _LARGEST_SIZES, _DRAW_FRAMEBUFFER, _DRAWN_BITS = (0x0D33, 0x84E8), 0x8CA9, 0x4500
 _OLDEST = (3, 3)
@@ -70,7 +67,7 @@ class CubeCanvas:
             self._atlas = Atlas(driver, size)
             self._resampling = Resampling(driver, self._atlas, self.views, lens, orientation)
         self.framebuffer: int | None = self._atlas.framebuffer
-        self._depth: Depth = (0.0, 0.0)
+        self._depth: DepthTerms = (0.0, 0.0)
         self._fresh = self._straight = False
 
     def _fitting(self) -> tuple[tuple[View, ...], tuple[int, int]]:
@@ -86,7 +83,7 @@ class CubeCanvas:
             self._say(f"cube faces of {wanted} pixels are too large for this OpenGL: {largest} it is")
         return views, size
 
-    def drawn(self, depth: Depth) -> None:
+    def drawn(self, depth: DepthTerms) -> None:
         """As for Canvas."""
         self._fresh = True
         if depth != (0.0, 0.0):

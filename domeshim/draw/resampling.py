@@ -17,6 +17,7 @@ from domeshim.shading.snippets import snippet
 
 if TYPE_CHECKING:
     from domeshim.draw.atlas import Atlas
+    from domeshim.state.perspective import DepthTerms
     from domeshim.state.views import View
     from domeshim.window.frame import Rectangle
 
@@ -72,10 +73,10 @@ class Resampling:
         self._program["axes"].write(axes.tobytes())
         self._program["count"].value = len(views)
 
-    def draw(self, square: Rectangle, depths: tuple[tuple[float, float], tuple[float, float]] | None) -> None:
+    def draw(self, square: Rectangle, depths: tuple[DepthTerms, DepthTerms] | None) -> None:
         """Draw the disc into the framebuffer that is bound for drawing.
 
-        square: the disc's, pixels; depths: what depth means on the faces, and on the disc (domeDepth); None:
+        square: the disc's, pixels; depths: what depth means on the faces, and on the disc; None:
         colours alone.
         """
         gl, program = self._driver, self._program

@@ -11,6 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 Matrix = NDArray[np.float64]
+DepthTerms = tuple[float, float]
+"""(a, b), the uniform domeDepth: depth * r = a r + b."""
 
 
 def perspective(fovy: float, aspect: float, near: float, far: float) -> Matrix | None:
@@ -80,8 +82,8 @@ class DepthRange:
     far: float
 
     @property
-    def uniform(self) -> tuple[float, float]:
-        """(a, b): depth * r = a r + b puts r = near at -1 and r = far at +1.
+    def uniform(self) -> DepthTerms:
+        """What puts r = near at depth -1 and r = far at +1.
 
         The far end is moved out by sqrt(3): the monitor's far plane is flat, and a corner of its view (or of
         a sky box) is that much farther away than its middle; nothing that the monitor shows may vanish.
@@ -92,7 +94,7 @@ class DepthRange:
         return (far + near) / (far - near), -2 * far * near / (far - near)
 
 
-def planar(by_distance: tuple[float, float]) -> tuple[float, float]:
+def planar(by_distance: DepthTerms) -> DepthTerms:
     """DepthRange.uniform where depth goes by the distance along a cube face's axis; (0, 0) stays.
 
     Its near end comes closer by sqrt(3): a point in a face's corner lies that much nearer along the axis than

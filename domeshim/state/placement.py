@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from domeshim.options import Options
 from domeshim.state.perspective import (
+    DepthTerms,
     Matrix,
     depth_range,
     is_perspective,
@@ -36,8 +37,7 @@ class Placement:
     place: Literal["modelview", "view", "panel"]
     view: tuple[float, ...]
     """The uniform domeView, column-major; the identity for "modelview"."""
-    depth: tuple[float, float]
-    """The uniform domeDepth."""
+    depth: DepthTerms
     hud: bool = False
     """Drawn flat by a program that has a perspective of its own."""
 
