@@ -14,7 +14,9 @@ import math
 import statistics
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from ctypes import c_ubyte
 from types import SimpleNamespace
 
 import OpenGL.GL
@@ -28,6 +30,7 @@ from domeshim.window.contract import SurfaceFormat, WindowEvents
 from domeshim.window.offscreen import OffscreenBackend
 
 SIZE = 1024
+LETTER = (c_ubyte * 8)(0x7E, 0x81, 0xBD, 0xA1, 0xBD, 0x85, 0xFD, 0x01)
 GL = SimpleNamespace
 
 
@@ -144,6 +147,41 @@ def small_lists(gl: GL) -> None:
         gl.glCallList(2)
 
 
+def letters(gl: GL) -> None:
+    """1,000 letters in lines of 40, in the window's pixels."""
+    with flat(gl):
+        for k in range(1000):
+            if k % 40 == 0:
+                gl.glRasterPos2i(10, 20 + k // 2)
+            gl.glBitmap(8, 8, 0, 0, 9, 0, LETTER)
+
+
+def font(gl: GL) -> None:
+    """The same by a display list for each letter."""
+    with flat(gl):
+        for k in range(25):
+            gl.glRasterPos2i(10, 20 + 20 * k)
+            gl.glCallLists(bytes([3] * 40))
+
+
+@contextmanager
+def flat(gl: GL) -> Iterator[None]:
+    """Within it the window's pixels are the units, over a scene in perspective."""
+    small_quad(gl, 0)
+    gl.glMatrixMode(gl.GL_PROJECTION)
+    gl.glPushMatrix()
+    gl.glLoadIdentity()
+    gl.glOrtho(0, SIZE, 0, SIZE, -1, 1)
+    gl.glMatrixMode(gl.GL_MODELVIEW)
+    gl.glPushMatrix()
+    gl.glLoadIdentity()
+    yield
+    gl.glPopMatrix()
+    gl.glMatrixMode(gl.GL_PROJECTION)
+    gl.glPopMatrix()
+    gl.glMatrixMode(gl.GL_MODELVIEW)
+
+
 SCENES = (
     vertices,
     lit_vertices,
@@ -154,6 +192,8 @@ SCENES = (
     texture_switched,
     big_list,
     small_lists,
+    letters,
+    font,
 )
 
 
@@ -213,6 +253,10 @@ def prepare(gl: GL) -> None:
         gl.glVertex3f(0.1, 0, 0)
         gl.glVertex3f(0, 0.1, k / 100)
     gl.glEnd()
+    gl.glEndList()
+    gl.glPixelStorei(gl.GL_UNPACK_ALIGNMENT, 1)
+    gl.glNewList(3, gl.GL_COMPILE)
+    gl.glBitmap(8, 8, 0, 0, 9, 0, LETTER)
     gl.glEndList()
 
 

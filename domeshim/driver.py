@@ -89,6 +89,7 @@ _SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "glGenerateMipmap": (None, (_ENUM,)),
     "glWindowPos3f": (None, (_FLOAT,) * 3),
     "glRasterPos2f": (None, (_FLOAT,) * 2),
+    "glBitmap": (None, (_INT, _INT, _FLOAT, _FLOAT, _FLOAT, _FLOAT, _POINTER)),
     "glReadPixels": (None, (_INT, _INT, _INT, _INT, _ENUM, _ENUM, _POINTER)),
     "glDrawPixels": (None, (_INT, _INT, _ENUM, _ENUM, _POINTER)),
     "glPixelZoom": (None, (_FLOAT, _FLOAT)),

@@ -8,8 +8,8 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from contextlib import AbstractContextManager
 
-    from domeshim.draw.flat_pixels import Bitmap
     from domeshim.draw.shape import Shape
+    from domeshim.record.bitmaps import Bitmap
     from domeshim.state.region import Region
     from domeshim.window.contract import Window
     from domeshim.window.frame import Rectangle

@@ -20,8 +20,8 @@ from domeshim.GLUT.typefaces.load import typefaces
 from domeshim.GLUT.typefaces.names import FONTS, font_of
 
 if TYPE_CHECKING:
-    from domeshim.draw.flat_pixels import Bitmap
     from domeshim.GLUT.typefaces.faces import BitmapFace, StrokeFace
+    from domeshim.record.bitmaps import Bitmap
 
 __all__ = [
     "GLUT_BITMAP_8_BY_13",
@@ -163,7 +163,7 @@ def _draw_bitmaps(face: BitmapFace, lines: Sequence[bytes]) -> None:
 
 def _bitmaps(face: BitmapFace, lines: Sequence[bytes]) -> list[Bitmap]:
     """The same as bitmaps one after the other."""
-    from domeshim.draw.flat_pixels import Bitmap  # noqa: PLC0415 - only a program that writes pays
+    from domeshim.record.bitmaps import Bitmap  # noqa: PLC0415 - only a program that writes pays
 
     found: list[Bitmap] = []
     for number, line in enumerate(lines):
@@ -176,7 +176,7 @@ def _bitmaps(face: BitmapFace, lines: Sequence[bytes]) -> list[Bitmap]:
 
 @lru_cache(maxsize=2048)
 def _bitmap(face: BitmapFace, code: int) -> Bitmap:
-    from domeshim.draw.flat_pixels import Bitmap  # noqa: PLC0415 - as above
+    from domeshim.record.bitmaps import Bitmap  # noqa: PLC0415 - as above
 
     glyph = face.glyphs[code]
     rows = np.frombuffer(glyph.rows, np.uint8).reshape(face.height, -1)

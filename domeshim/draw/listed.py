@@ -12,7 +12,6 @@ from domeshim.draw.standing import Standing
 from domeshim.draw.upload import Upload
 
 if TYPE_CHECKING:
-    from domeshim.draw.flat_pixels import Bitmap
     from domeshim.draw.submit import Submitter
     from domeshim.record.lists import DisplayLists
     from domeshim.record.runs import Run
@@ -43,20 +42,6 @@ class ListedDraw:
 
     def delete(self) -> None:
         """Nothing: it has no more of GL."""
-
-
-class ListedBitmap(ListedDraw):
-    """A bitmap in a display list, which may be called where bitmaps belong on the panel."""
-
-    def __init__(self, context: DomeContext, name: int, bitmap: Bitmap) -> None:
-        """name: of GL's own list that holds it, and nothing beside it."""
-        super().__init__(context, name, at_raster=True, curve=False)
-        self._bitmap = bitmap
-
-    def __call__(self) -> None:
-        """Draw it."""
-        if not (self._context.panel.due and self._context.panel.write((self._bitmap,))):
-            super().__call__()
 
 
 class ListedMesh:

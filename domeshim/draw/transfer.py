@@ -17,22 +17,31 @@ _MAP_COLOR = 0x0D10
 
 
 @contextmanager
-def plain_transfer(gl: Driver) -> Iterator[None]:
-    """Pixels go between memory and GL tightly packed and unchanged while this lasts."""
+def tightly_packed(gl: Driver) -> Iterator[None]:
+    """Pixels in memory lie row after row, nothing between them, while this lasts."""
     gl.glPushClientAttrib(_PIXEL_STORE_BIT)
-    gl.glPushAttrib(_PIXEL_MODE_AND_TEXTURE_BITS)
     for target in (_PACK_BUFFER, _UNPACK_BUFFER):
         gl.glBindBuffer(target, 0)
     for name in _LAYOUT:
         gl.glPixelStorei(name, 0)
     for name in (_PACK_ALIGNMENT, _UNPACK_ALIGNMENT):
         gl.glPixelStorei(name, 1)
+    try:
+        yield
+    finally:
+        gl.glPopClientAttrib()
+
+
+@contextmanager
+def plain_transfer(gl: Driver) -> Iterator[None]:
+    """Pixels go between memory and GL tightly packed and unchanged while this lasts."""
+    gl.glPushAttrib(_PIXEL_MODE_AND_TEXTURE_BITS)
     for name in (_MAP_COLOR, *_OFFSETS):
         gl.glPixelTransferf(name, 0.0)
     for name in _SCALES:
         gl.glPixelTransferf(name, 1.0)
     try:
-        yield
+        with tightly_packed(gl):
+            yield
     finally:
         gl.glPopAttrib()
-        gl.glPopClientAttrib()

@@ -10,18 +10,18 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from domeshim.draw.extent import Extent
-from domeshim.draw.listed import ListedBitmap, ListedDraw, ListedMesh
+from domeshim.draw.listed import ListedDraw, ListedMesh
 from domeshim.draw.materials import material_run
 from domeshim.draw.subdivide import at_once
 from domeshim.draw.submit import Submitter
 from domeshim.driver import Driver
+from domeshim.record.bitmaps import Bitmap, Unpacking, Written, read_bitmap
 from domeshim.record.immediate import Immediate
 from domeshim.record.lists import Building, DisplayLists
 from domeshim.record.runs import Run
 from domeshim.state.context import DomeContext
 
 if TYPE_CHECKING:
-    from domeshim.draw.flat_pixels import Bitmap
     from domeshim.draw.shape import Shape
     from domeshim.intercept.window_dome import WindowDome
     from domeshim.record.arrays import Elements
@@ -63,6 +63,8 @@ class Draws:
         """That context's display lists."""
         self.building: Building | None = None
         """The one of them that is being built."""
+        self._unpacking: Unpacking | None = None
+        """How GL is told to read the bits of the bitmaps that are recorded, once it was asked."""
 
     def drawing(self) -> None:
         """The program draws something that is not recorded."""
@@ -76,6 +78,10 @@ class Draws:
         if current is None:
             self._flush_unbent(recorder)
             return
+        if recorder.bitmaps:
+            self._flush_bitmaps(current)
+            if not recorder.pending():
+                return
         if recorder.blocks:
             self._session.drawing()
             if recorder.materials:
@@ -146,13 +152,6 @@ class Draws:
         context, lists = current.context, current.lists
         lists.keep_mesh(lambda: ListedDraw(context, lists.compile(draw), at_raster=at_raster, curve=curve))
         return True
-
-    def list_bitmap(self, bitmap: Bitmap, draw: Callable[[], object]) -> None:
-        """Put a bitmap into the display list that is being built; draw: GL's own glBitmap of it."""
-        current = self._current
-        assert current is not None
-        context, lists = current.context, current.lists
-        lists.keep_mesh(lambda: ListedBitmap(context, lists.compile(draw), bitmap))
 
     def draw_once(self, draw: Callable[[], object], *, curve: bool) -> object:
         """Make a draw, in each view, whose call may be made but once; curve: it is of lines."""
@@ -234,14 +233,42 @@ class Draws:
         return True
 
     def write(self, bitmaps: Sequence[Bitmap]) -> bool:
-        """Draw bitmaps one after the other on the panel; False where they do not belong there now."""
-        current = self._current
-        if current is None or self.building is not None or self.recorder.block is not None:
+        """Record bitmaps, one after the other; False between glBegin and glEnd, and without a window."""
+        recorder = self.recorder
+        if self._current is None or recorder.block is not None:
             return False
-        if self.recorder.pending():
+        if recorder.blocks:
             self.flush()
+        recorder.bitmaps += bitmaps
+        return True
+
+    def write_bits(self, width: int, height: int, numbers: tuple[float, ...], bits: object) -> bool:
+        """Record a glBitmap by its own arguments; False where that is for GL alone.
+
+        numbers: xorig, yorig, xmove, ymove. While bitmaps follow each other nothing else happens to GL, so
+        that it is asked but once how bits are to be read.
+        """
+        if self._unpacking is None:
+            self._unpacking = Unpacking.asked(self._driver)
+            if self._unpacking is None:
+                return False
+        bitmap = read_bitmap(width, height, numbers, bits, self._unpacking)
+        return bitmap is not None and self.write((bitmap,))
+
+    def _flush_bitmaps(self, current: WindowDome) -> None:
+        """Draw the recorded bitmaps, or put them into the display list that is being built."""
+        bitmaps = tuple(self.recorder.bitmaps)
+        self.recorder.bitmaps.clear()
+        self._unpacking = None
+        if self.building is not None:
+            current.lists.keep(Written(bitmaps, self._write_now))
+        else:
+            self._write_now(bitmaps)
+
+    def _write_now(self, bitmaps: Sequence[Bitmap]) -> None:
+        assert self.context is not None
         self._session.drawing()
-        return current.context.panel.due and current.context.panel.write(bitmaps)
+        self.context.panel.write(bitmaps)
 
     def read_elements(self, count: int, kind: int, indices: object) -> Elements:
         """glDrawElements' indices, wherever they lie."""

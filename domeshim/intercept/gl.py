@@ -17,7 +17,15 @@ from domeshim.driver import Driver
 from domeshim.intercept import pixels, raster, reading, recorded, shaders
 from domeshim.intercept.arrays import draw_arrays, draw_elements, draw_range_elements, writes_buffer
 from domeshim.intercept.dome import Dome
-from domeshim.intercept.lists import call_list, call_lists, delete_lists, end_list, new_list
+from domeshim.intercept.lists import (
+    call_list,
+    call_lists,
+    delete_lists,
+    end_list,
+    new_list,
+    written_list,
+    written_lists,
+)
 from domeshim.intercept.matrix_calls import frustum, load_matrix, matrix_mode
 from domeshim.intercept.state_calls import (
     active_texture,
@@ -159,7 +167,9 @@ def _dome_call(dome: Dome, name: str, original: Call) -> Call:
     rectangle = _RECTS.fullmatch(plain_name)
     if rectangle:
         return recorded.rectangle(dome, vector=bool(rectangle[1]))
-    return after_recorded(dome, plain_name, _meaning(dome, plain_name, original))
+    call = after_recorded(dome, plain_name, _meaning(dome, plain_name, original))
+    adding = _ADDING.get(plain_name)
+    return adding(dome, call) if adding is not None else call
 
 
 def _meaning(dome: Dome, name: str, original: Call) -> Call:
@@ -219,12 +229,17 @@ _SPECIAL: Mapping[str, Maker] = {
     "glClipPlane": clip_plane,
     "glGetClipPlane": bare,
     "glClear": kept_in_lists(pixels.clear),
-    "glBitmap": pixels.bitmap,
     "glDrawPixels": pixels.image,
     "glCopyPixels": pixels.copied,
     "glAccum": kept_in_lists(read),
     "glGetHandle": read,
 }
+_ADDING: Mapping[str, Maker] = {
+    "glBitmap": pixels.bitmap,
+    "glCallList": written_list,
+    "glCallLists": written_lists,
+}
+"""Calls that may add to the bitmaps recorded before them; else they are like any other."""
 _WRITES_BUFFER = re.compile(
     r"gl(Named)?(BufferData|BufferSubData|BufferStorage)\w*|gl(Unm|M)ap\w*Buffer\w*|glCopy\w*BufferSubData"
     r"|glDeleteBuffers|glClear\w*Buffer(Sub)?Data"

@@ -8,7 +8,9 @@ from typing import Any
 
 import numpy as np
 
+from domeshim.driver import Driver
 from domeshim.intercept.dome import Dome
+from domeshim.record.bitmaps import Bitmap
 
 Call = Callable[..., Any]
 
@@ -81,11 +83,41 @@ def call_lists(dome: Dome, original: Call) -> Call:
         dome.drawing()
         if lists.all_plain:
             return context.draw(partial(original, *args))
-        base = context.driver.integer(_LIST_BASE)
-        names = args if len(args) == 1 else (args[2], int(args[1]), int(args[0]))
-        for offset in _offsets(*names):
-            lists.run(base + offset, context.draw_list)
+        for name in _names(context.driver, args):
+            lists.run(name, context.draw_list)
         return None
+
+    return call
+
+
+def written_list(dome: Dome, original: Call) -> Call:
+    """glCallList of a list that is nothing but bitmaps, as a font's are: they are recorded like others."""
+
+    def call(*args: Any) -> Any:
+        lists = dome.lists
+        if lists is not None and dome.building is None and len(args) == 1:
+            bitmaps = lists.bitmaps(int(args[0]))
+            if bitmaps is not None and dome.write(bitmaps):
+                return None
+        return original(*args)
+
+    return call
+
+
+def written_lists(dome: Dome, original: Call) -> Call:
+    """glCallLists of such lists."""
+
+    def call(*args: Any) -> Any:
+        context, lists = dome.context, dome.lists
+        if context is None or lists is None or dome.building is not None or lists.all_plain:
+            return original(*args)
+        bitmaps: list[Bitmap] = []
+        for name in _names(context.driver, args):
+            more = lists.bitmaps(name)
+            if more is None:
+                return original(*args)
+            bitmaps += more
+        return None if dome.write(bitmaps) else original(*args)
 
     return call
 
@@ -99,6 +131,13 @@ def delete_lists(dome: Dome, original: Call) -> Call:
         return original(name, count)
 
     return call
+
+
+def _names(driver: Driver, args: tuple[Any, ...]) -> list[int]:
+    """The lists that a glCallLists calls."""
+    base = driver.integer(_LIST_BASE)
+    names = args if len(args) == 1 else (args[2], int(args[1]), int(args[0]))
+    return [base + offset for offset in _offsets(*names)]
 
 
 _BYTES = {0x1407: 2, 0x1408: 3, 0x1409: 4}

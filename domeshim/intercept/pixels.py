@@ -42,24 +42,14 @@ def at_raster(dome: Dome, original: Call) -> Call:
 
 
 def bitmap(dome: Dome, original: Call) -> Call:
-    """glBitmap: on the panel as large as it was in the window, elsewhere in the dome's own pixels."""
+    """glBitmap, recorded where it can be; original: what else it does, once GL has seen what was recorded."""
 
-    draw = at_raster(dome, original)
-
-    def call(width: int, height: int, *more: Any) -> Any:
-        context, building = dome.context, dome.building
-        if context is None or len(more) != 5 or (building is None and not context.panel.due):
-            return draw(width, height, *more)
-        from domeshim.draw.flat_pixels import Bitmap  # noqa: PLC0415 - only a program with bitmaps pays
-
-        try:
-            read = Bitmap.read(context.driver, width, height, more[:4], more[4])
-        except ValueError:
-            return draw(width, height, *more)
-        if building is not None:
-            return dome.list_bitmap(read, partial(original, width, height, *more))
-        dome.drawing()
-        return None if context.panel.write((read,)) else draw(width, height, *more)
+    def call(*args: Any, **named: Any) -> Any:
+        if len(args) == 7 and not named and dome.context is not None:
+            width, height, *numbers, bits = args
+            if dome.write_bits(width, height, tuple(numbers), bits):
+                return None
+        return original(*args, **named)
 
     return call
 

@@ -1,4 +1,4 @@
-"""What the program draws by glBegin..glEnd, gathered until something else happens to GL.
+"""What the program draws by glBegin..glEnd or as bitmaps, gathered until something else happens to GL.
 
 A recorded vertex costs a tenth of a PyOpenGL call. Attributes are kept as events, (vertex, values), so that
 a colour set once costs once; blocks that follow each other become one draw.
@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from domeshim.record.attributes import DEFAULTS
+from domeshim.record.bitmaps import Bitmap
 from domeshim.record.runs import INDEPENDENT, Block, Run
 
 FREQUENT = ("color", "normal", "texture0")
@@ -48,13 +49,15 @@ class Immediate:
         """Calls were made between glBegin and glEnd that set no attribute."""
         self.w: dict[int, float] = {}
         """The fourth coordinates other than 1, by vertex."""
+        self.bitmaps: list[Bitmap] = []
+        """Bitmaps at the raster position, drawn before all else that is recorded."""
         self.pending = self._pending()
         """Tells whether GL has yet to see something; it is called before every GL call."""
 
     def _pending(self) -> Callable[[], object]:
-        blocks, positions, rare = self.blocks, self.positions, self.rare
+        blocks, positions, rare, bitmaps = self.blocks, self.positions, self.rare, self.bitmaps
         color, normal, texture = (self.attributes[name].places for name in FREQUENT)
-        return lambda: blocks or color or normal or texture or positions or rare
+        return lambda: blocks or color or normal or texture or positions or rare or bitmaps
 
     @property
     def used(self) -> list[tuple[str, Events]]:
@@ -142,6 +145,7 @@ class Immediate:
         self.positions.clear()
         self.w.clear()
         self.blocks.clear()
+        self.bitmaps.clear()
         self.rare.clear()
         self.extras = False
 

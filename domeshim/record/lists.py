@@ -7,11 +7,12 @@ lists are a single part, under the program's own name.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Protocol, runtime_checkable
 
 from domeshim.driver import Driver
+from domeshim.record.bitmaps import Bitmap, Written
 
 Part = int | Callable[[], object]
 """The name of a GL list, or a call to make."""
@@ -126,6 +127,14 @@ class DisplayLists:
                     part()
         finally:
             self._depth -= 1
+
+    def bitmaps(self, name: int) -> Sequence[Bitmap] | None:
+        """What a list draws that is nothing but bitmaps; none where there is no such list."""
+        parts = self._lists.get(name)
+        if parts is None:
+            return None if self._driver.glIsList(name) else ()
+        only = parts[0] if len(parts) == 1 else None
+        return only.bitmaps if isinstance(only, Written) else None
 
     @property
     def all_plain(self) -> bool:

@@ -8,8 +8,10 @@ from ctypes import c_double, c_float
 from functools import lru_cache, partial
 from typing import TYPE_CHECKING, NamedTuple
 
-from domeshim.draw.flat_pixels import Bitmap, Glyphs, as_texture, draw_cells
+from domeshim.draw.flat_pixels import as_texture, draw_cells
+from domeshim.draw.glyphs import Glyphs, draw_bitmaps
 from domeshim.options import Options
+from domeshim.record.bitmaps import Bitmap
 from domeshim.shading.recipe import Scene, Texture
 from domeshim.state.raster import Point
 from domeshim.window.frame import Rectangle
@@ -63,8 +65,13 @@ class PanelPixels:
             return False
         return not context.scene_now().clip_planes
 
-    def write(self, bitmaps: Sequence[Bitmap]) -> bool:
-        """Draw bitmaps one after the other, as glBitmap does; False where the raster position is nowhere."""
+    def write(self, bitmaps: Sequence[Bitmap]) -> None:
+        """Draw bitmaps one after the other, as glBitmap does: on the panel, or in the dome's own pixels."""
+        if not (self.due and self._write_flat(bitmaps)):
+            self._context.raster.draw(partial(draw_bitmaps, self._context.driver, bitmaps))
+
+    def _write_flat(self, bitmaps: Sequence[Bitmap]) -> bool:
+        """Draw bitmaps on the panel; False where the raster position is nowhere."""
         spot = self._spot()
         if spot is None:
             return False

@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 from OpenGL import GL
 
-from domeshim.draw.flat_pixels import Bitmap
 from domeshim.GLUT import fonts
 from domeshim.GLUT.typefaces import freeglut, load
 from domeshim.GLUT.typefaces.faces import BitmapFace, Typefaces
 from domeshim.GLUT.typefaces.freeglut import UnreadableFontError, read_typefaces
 from domeshim.GLUT.typefaces.substitute import substitute_typefaces
+from domeshim.record.bitmaps import Bitmap
 from domeshim.window.contract import SurfaceFormat, WindowEvents
 from domeshim.window.offscreen import OffscreenBackend
 from tests.GLUT.freeglut_runs import beside_freeglut
