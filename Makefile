@@ -5,7 +5,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 DEMO := demos/teapots.py
 PICTURES := pictures
-DEBIAN := libegl1 libgl1-mesa-dri libglx-mesa0 libglu1-mesa libglut3.12 xvfb xauth xdotool
+DEBIAN := libegl1 libgl1-mesa-dri libglx-mesa0 libglu1-mesa libglut3.12 xvfb xdotool
 
 .PHONY: demo test check-style docs report corpus sensitivity gallery guide figures bench-immediate stability watertight \
 	endurance debian clean

@@ -8,6 +8,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+from tests.waiting import LONGEST
+
 ROOT = Path(__file__).parent.parent
 LINE = re.compile(r"frame +(\d+) +([\d.]+) MiB +(\d+) objects")
 
@@ -19,7 +21,7 @@ def test_nothing_grows() -> None:
         env={**os.environ, "PYTHONPATH": str(ROOT)},
         capture_output=True,
         text=True,
-        timeout=120,
+        timeout=LONGEST,
     )
     assert run.returncode == 0, run.stderr
     found = [(int(m[1]), float(m[2]), int(m[3])) for m in map(LINE.fullmatch, run.stdout.splitlines()) if m]

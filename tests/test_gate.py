@@ -14,6 +14,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.waiting import LONGEST
+
 ROOT = Path(__file__).resolve().parent.parent
 HOOK = ("domeshim.pth", "domeshim.start", "_domeshim_gate.py")
 Run = Callable[..., subprocess.CompletedProcess[str]]
@@ -46,7 +48,9 @@ def run(bare_python: Path, site: Path, tmp_path: Path) -> Run:
         (tmp_path / "prog.py").write_text(program)
         environ = {name: os.environ[name] for name in os.environ if not name.startswith(("DOME", "PYTHON"))}
         command = [str(bare_python), *flags, str(tmp_path / "prog.py")]
-        return subprocess.run(command, env=environ | variables, capture_output=True, text=True, timeout=60)
+        return subprocess.run(
+            command, env=environ | variables, capture_output=True, text=True, timeout=LONGEST
+        )
 
     return run
 
@@ -125,7 +129,7 @@ def test_a_broken_installation_without_stderr_does_not_stop_python(bare_python, 
     _folder_gone(site)
     out = tmp_path / "out"
     shell = f'DOME=1 \'{bare_python}\' -c \'open("{out}", "w").write("here")\' 2>&-'
-    assert subprocess.run(shell, shell=True, timeout=60).returncode == 0
+    assert subprocess.run(shell, shell=True, timeout=LONGEST).returncode == 0
     assert out.read_text() == "here"
 
 

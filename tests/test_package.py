@@ -12,6 +12,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.waiting import LONGEST
+
 ROOT = Path(__file__).resolve().parent.parent
 Completed = subprocess.CompletedProcess[str]
 HOOK = {"domeshim.pth", "domeshim.start", "_domeshim_gate.py"}
@@ -42,7 +44,7 @@ def install(checkout: Path, folder: Path, kind: str) -> tuple[set[str], Path]:
 
 def run(python: Path, program: str, folder: Path, environ: dict[str, str]) -> Completed:
     command = [str(python), "-c", program]
-    return subprocess.run(command, cwd=folder, env=environ, capture_output=True, text=True, timeout=60)
+    return subprocess.run(command, cwd=folder, env=environ, capture_output=True, text=True, timeout=LONGEST)
 
 
 def output(python: Path, program: str, **variables: str) -> str:

@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.waiting import LONGEST
+
 pytest_plugins = ["pytester"]
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -43,7 +45,7 @@ def suite(pytester, monkeypatch):
             for entry in importlib.metadata.entry_points(group="pytest11")
         )
         loaded = () if registered else ("-p", "domeshim.pytest_plugin")
-        return pytester.runpytest_subprocess(*loaded, *options, timeout=240)
+        return pytester.runpytest_subprocess(*loaded, *options, timeout=LONGEST)
 
     return run
 

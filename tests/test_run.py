@@ -11,6 +11,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.waiting import LONGEST
+
 ROOT = Path(__file__).resolve().parent.parent
 PYTHON = [sys.executable]
 DOMESHIM = [sys.executable, "-m", "domeshim", "run"]
@@ -32,7 +34,7 @@ atexit.register(lambda: print("at exit", main.Thing.__name__))
 
 def run(command: list[str], folder: Path, **variables: str) -> subprocess.CompletedProcess[str]:
     environ = {**os.environ, "PYTHONPATH": str(ROOT), **variables}
-    return subprocess.run(command, cwd=folder, env=environ, capture_output=True, text=True, timeout=60)
+    return subprocess.run(command, cwd=folder, env=environ, capture_output=True, text=True, timeout=LONGEST)
 
 
 def same(arguments: list[str], folder: Path, **variables: str) -> subprocess.CompletedProcess[str]:

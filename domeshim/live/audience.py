@@ -148,7 +148,8 @@ class Audience:
         self._board = Board()
         dome = self._session.virtual_dome or dome_of(self._options)
         told = dome.to_json(), (self._session.viewer or Viewer()).to_json()
-        command = [sys.executable, "-m", "domeshim.preview.beside", self._board.name, *told]
+        here = self._board.name, str(os.getpid())
+        command = [sys.executable, "-m", "domeshim.preview.beside", *here, *told]
         self._viewer = subprocess.Popen(command, env={**os.environ, "DOME": "0"})
 
 

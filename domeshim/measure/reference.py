@@ -132,13 +132,17 @@ def stock_environment(display: str, environ: Mapping[str, str] | None = None) ->
 
 
 @contextmanager
-def virtual_display(side: int = 2048) -> Iterator[str]:
-    """The name of an X display of its own, side pixels square, that lasts as long as the with block.
+def virtual_display(size: tuple[int, int] = (2048, 2048)) -> Iterator[str]:
+    """The name of an X display of its own, of so many pixels, that lasts as long as the with block.
+
+    It takes a number that is free, and no key that is held repeats itself.
 
     Raises ScreenError where Xvfb is missing or will not start.
     """
     ours, servers = os.pipe()
-    command = ["Xvfb", "-displayfd", str(servers), "-screen", "0", f"{side}x{side}x24", "-nolisten", "tcp"]
+    screen = ["-screen", "0", "{}x{}x24".format(*size), "-r", "-nolisten", "tcp"]
+    # -noreset: else it throws out a program that comes as another one, the only one, goes.
+    command = ["Xvfb", "-displayfd", str(servers), *screen, "-noreset"]
     try:
         server = subprocess.Popen(command, pass_fds=[servers], stderr=subprocess.DEVNULL)
     except OSError as error:

@@ -53,10 +53,10 @@ class Files:
 class Live:
     """Those of the program that started this process, from a board."""
 
-    def __init__(self, name: str) -> None:
-        """Raises FileNotFoundError where there is no such board."""
+    def __init__(self, name: str, program: int) -> None:
+        """program: the number of that process. Raises FileNotFoundError where there is no such board."""
         self._board = Board(name)
-        self._program = os.getppid()
+        self._program = program
 
     @property
     def ended(self) -> bool:

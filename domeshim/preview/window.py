@@ -44,6 +44,8 @@ class Hands(WindowEvents):
         self.closed = False
         self._seat = viewer.place, viewer.heading, viewer.pitch, viewer.angle
         self._held: set[int] = set()
+        self._tapped: set[int] = set()
+        """Pressed since the last move: however slow the pictures come, a touch moves the viewer."""
         self._grip: tuple[float, float] | None = None
         self._pointer = (0.0, 0.0)
 
@@ -54,7 +56,10 @@ class Hands(WindowEvents):
     def key(self, key: int, pressed: bool, modifiers: int) -> None:  # noqa: ARG002 - the contract's own
         """Fly while a key is held; R goes back to the seat, Escape ends."""
         (self._held.add if pressed else self._held.discard)(key)
+        if pressed:
+            self._tapped.add(key)
         if pressed and key == glfw.KEY_R:
+            self._tapped.clear()
             self.viewer.place, self.viewer.heading, self.viewer.pitch, self.viewer.angle = self._seat
         self.closed = self.closed or (pressed and key == glfw.KEY_ESCAPE)
 
@@ -76,9 +81,10 @@ class Hands(WindowEvents):
 
     def move(self, seconds: float) -> None:
         """Fly on for so long."""
-        for key in self._held & set(_STEPS):
+        for key in (self._held | self._tapped) & set(_STEPS):
             right, ahead, up = (_SPEED * seconds * part for part in _STEPS[key])
             self.viewer.fly(right, ahead, up)
+        self._tapped.clear()
 
 
 def show_dome(pictures: Pictures, dome: VirtualDome, viewer: Viewer, size: tuple[int, int]) -> None:

@@ -1,15 +1,15 @@
-"""Running small GLUT programs in a process of their own, off screen or under Xvfb."""
+"""Running small GLUT programs in a process of their own, off screen or on a display."""
 
 from __future__ import annotations
 
 import os
-import shutil
 import subprocess
 import sys
 import textwrap
 from pathlib import Path
 
-import pytest
+from tests.displays import run_on_display
+from tests.waiting import LONGEST
 
 REPOSITORY = Path(__file__).parents[2]
 OFF_SCREEN = """
@@ -21,21 +21,18 @@ from domeshim.window.clock import VirtualClock
 from domeshim.window.offscreen import OffscreenBackend
 session.begin(session.Session(Options({options}), clock=VirtualClock(), backend=OffscreenBackend))
 """
-needs_xvfb = pytest.mark.skipif(
-    not (shutil.which("xvfb-run") and shutil.which("xdotool")), reason="needs xvfb-run and xdotool"
-)
 
 
-def _run(command: list[str], environment: dict[str, str]) -> subprocess.CompletedProcess[str]:
+def _run(command: list[str]) -> subprocess.CompletedProcess[str]:
     clean = {name: value for name, value in os.environ.items() if not name.startswith("DOME")}
     clean.pop("PYOPENGL_PLATFORM", None)
     return subprocess.run(
         command,
         capture_output=True,
         text=True,
-        timeout=60,
+        timeout=LONGEST,
         check=False,
-        env=clean | environment | {"PYTHONPATH": str(REPOSITORY)},
+        env=clean | {"PYTHONPATH": str(REPOSITORY)},
     )
 
 
@@ -44,15 +41,15 @@ def run_off_screen(folder: Path, source: str, options: str = "") -> subprocess.C
     (folder / "preamble.py").write_text(OFF_SCREEN.format(options=options))
     program = folder / "prog.py"
     program.write_text("import preamble\n" + textwrap.dedent(source))
-    return _run([sys.executable, str(program)], {})
+    return _run([sys.executable, str(program)])
 
 
 def run_on_screen(folder: Path, source: str, platform: str = "glx") -> subprocess.CompletedProcess[str]:
     """Run prog.py on a display of its own."""
     program = folder / "prog.py"
     program.write_text(textwrap.dedent(source))
-    screen = ["xvfb-run", "-a", "-s", "-screen 0 800x600x24"]
-    return _run([*screen, sys.executable, str(program)], {"PYOPENGL_PLATFORM": platform})
+    environment = {"PYOPENGL_PLATFORM": platform, "PYTHONPATH": str(REPOSITORY)}
+    return run_on_display([sys.executable, str(program)], environment)
 
 
 def run_without_display(folder: Path, source: str) -> subprocess.CompletedProcess[str]:
@@ -60,4 +57,4 @@ def run_without_display(folder: Path, source: str) -> subprocess.CompletedProces
     program = folder / "prog.py"
     program.write_text(textwrap.dedent(source))
     environment = ["env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY", "-u", "XDG_SESSION_TYPE"]
-    return _run([*environment, sys.executable, str(program)], {})
+    return _run([*environment, sys.executable, str(program)])

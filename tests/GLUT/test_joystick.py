@@ -11,7 +11,8 @@ from domeshim.GLUT.state import GlutWindow
 from domeshim.session import Session
 from domeshim.window.contract import Joystick
 from domeshim.window.offscreen import OffscreenBackend
-from tests.GLUT.program_runs import needs_xvfb, run_on_screen
+from tests.displays import needs_xvfb
+from tests.GLUT.program_runs import run_on_screen
 
 STICK = Joystick((-1.0, 0.25, 0.5, 0.9), (True, False, True))
 

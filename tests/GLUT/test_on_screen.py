@@ -6,15 +6,20 @@ from pathlib import Path
 
 import pytest
 
-from tests.GLUT.program_runs import needs_xvfb, run_on_screen, run_without_display
+from tests.displays import needs_xvfb
+from tests.GLUT.program_runs import run_on_screen, run_without_display
 
 LISTENING = """
 import subprocess
 import sys
 from OpenGL.GL import *
 from domeshim.GLUT import *
+from tests.waiting import Steps
+
+said, shown = [], []
 
 def say(*words):
+    said.append(words)
     print(*words, flush=True)
 
 def listen(name, modifiers=False):
@@ -22,6 +27,16 @@ def listen(name, modifiers=False):
 
 def xdotool(commands):
     subprocess.run(["xdotool", *commands.split()], check=True)
+
+def play(steps):
+    steps = Steps(steps)
+    def look(_):
+        if steps.ended():
+            glutLeaveMainLoop()
+        else:
+            glutTimerFunc(5, look, 0)
+    glutTimerFunc(0, look, 0)
+    glutMainLoop()
 
 glutInit(sys.argv)
 glutInitDisplayMode({mode})
@@ -33,27 +48,14 @@ def display():
     glClearColor(1, 0.5, 0, 1)
     glClear(GL_COLOR_BUFFER_BIT)
     {show}()
+    shown.append(1)
 
 glutDisplayFunc(display)
-steps = iter({steps!r})
-
-def step(_):
-    commands = next(steps, None)
-    if commands is None:
-        glutLeaveMainLoop()
-        return
-    say("--", commands)
-    xdotool(commands)
-    glutTimerFunc(100, step, 0)
-
-glutTimerFunc(200, step, 0)
 """
 
 
-def listening(
-    steps: list[str] | tuple[str, ...] = (), mode: str = "GLUT_DOUBLE", show: str = "glutSwapBuffers"
-) -> str:
-    return LISTENING.format(steps=list(steps), mode=mode, show=show)
+def listening(mode: str = "GLUT_DOUBLE", show: str = "glutSwapBuffers") -> str:
+    return LISTENING.format(mode=mode, show=show)
 
 
 def answers(out: str) -> dict[str, list[str]]:
@@ -97,14 +99,21 @@ def test_keys_and_mouse_arrive(tmp_path: Path) -> None:
         "mousemove 600 500": ["entry 0"],
     }
     source = (
-        listening(list(expected))
+        listening()
         + """
 glutKeyboardFunc(listen("key", True)); glutKeyboardUpFunc(listen("key up", True))
 glutSpecialFunc(listen("special", True)); glutSpecialUpFunc(listen("special up", True))
 glutMouseFunc(listen("mouse", True)); glutMotionFunc(listen("motion"))
 glutPassiveMotionFunc(listen("passive")); glutEntryFunc(listen("entry"))
-glutMainLoop()
-"""
+def steps():
+    yield lambda: shown
+    for commands, answers in EXPECTED.items():
+        say("--", commands)
+        awaited = len(said) + len(answers)
+        xdotool(commands)
+        yield lambda: len(said) >= awaited
+play(steps())
+""".replace("EXPECTED", repr(expected))
     )
     done = run_on_screen(tmp_path, source)
     assert (done.returncode, done.stderr) == (0, "")
@@ -120,19 +129,19 @@ def test_resizing_hiding_and_full_screen_are_told_and_drawn(tmp_path: Path) -> N
         + """
 glutReshapeFunc(listen("reshape"))
 glutVisibilityFunc(listen("visibility"))
-moves = iter([lambda: glutReshapeWindow(300, 200), glutHideWindow, glutShowWindow, glutFullScreen,
-              glutFullScreenToggle, lambda: glutPositionWindow(40, 30),
-              lambda: say(glutGet(GLUT_WINDOW_X), glutGet(GLUT_WINDOW_Y), glutGet(GLUT_SCREEN_WIDTH))])
-def move(_):
-    following = next(moves, glutLeaveMainLoop)
-    following()
-    glutTimerFunc(100, move, 0)
-def step(_): pass
-glutTimerFunc(200, move, 0)
-glutMainLoop()
+def steps():
+    yield lambda: len(said) == 2
+    for number, move in enumerate([lambda: glutReshapeWindow(300, 200), glutHideWindow, glutShowWindow,
+                                   glutFullScreen, glutFullScreenToggle]):
+        move()
+        yield lambda: len(said) == 3 + number
+    glutPositionWindow(40, 30)
+    yield lambda: (glutGet(GLUT_WINDOW_X), glutGet(GLUT_WINDOW_Y)) == (40, 30)
+    say("screen", glutGet(GLUT_SCREEN_WIDTH))
+play(steps())
 """
     )
-    done = run_on_screen(tmp_path, source.replace("glutTimerFunc(200, step, 0)", ""))
+    done = run_on_screen(tmp_path, source)
     assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout.splitlines() == [
         "reshape 200 100",
@@ -142,7 +151,7 @@ glutMainLoop()
         "visibility 1",
         "reshape 800 600",
         "reshape 300 200",
-        "40 30 800",
+        "screen 800",
     ]
 
 
@@ -156,26 +165,25 @@ def test_what_is_drawn_is_on_the_screen_and_can_be_read(
         listening(mode=mode, show=show)
         + """
 import ctypes
-def look(_):
-    x11 = ctypes.CDLL("libX11.so.6")
-    for name in ("XOpenDisplay", "XDefaultRootWindow", "XGetImage", "XGetPixel"):
-        getattr(x11, name).restype = ctypes.c_void_p if "Pixel" not in name else ctypes.c_ulong
-    display = ctypes.c_void_p(x11.XOpenDisplay(None))
-    root = ctypes.c_void_p(x11.XDefaultRootWindow(display))
-    image = x11.XGetImage(display, root, 100, 50, 1, 1, ctypes.c_ulong(0xFFFFFF), 2)
-    say(hex(x11.XGetPixel(ctypes.c_void_p(image), 0, 0)))
+x11 = ctypes.CDLL("libX11.so.6")
+for name in ("XOpenDisplay", "XDefaultRootWindow", "XGetImage", "XGetPixel"):
+    getattr(x11, name).restype = ctypes.c_void_p if "Pixel" not in name else ctypes.c_ulong
+screen = ctypes.c_void_p(x11.XOpenDisplay(None))
+root = ctypes.c_void_p(x11.XDefaultRootWindow(screen))
+def seen():
+    image = x11.XGetImage(screen, root, 100, 50, 1, 1, ctypes.c_ulong(0xFFFFFF), 2)
+    return x11.XGetPixel(ctypes.c_void_p(image), 0, 0)
+def steps():
+    yield lambda: seen() in (0xff7f00, 0xff8000)
     if glutGet(GLUT_WINDOW_DOUBLEBUFFER) == 0:
         say(list(glReadPixels(5, 5, 1, 1, GL_RGB, GL_UNSIGNED_BYTE)))
-glutTimerFunc(150, look, 0)
-glutMainLoop()
+play(steps())
 """
     )
     done = run_on_screen(tmp_path, source, platform)
     assert (done.returncode, done.stderr) == (0, "")
-    lines = done.stdout.splitlines()
-    assert lines[0] in ("0xff7f00", "0xff8000")
-    assert lines[1:] in ([], ["[255, 127, 0]"], ["[255, 128, 0]"])
-    assert len(lines) == (1 if mode == "GLUT_DOUBLE" else 2)
+    read = [] if mode == "GLUT_DOUBLE" else ["[255, 127, 0]", "[255, 128, 0]"]
+    assert done.stdout.splitlines() in ([[line] for line in read] or [[]])
 
 
 @needs_xvfb
@@ -203,13 +211,12 @@ def close(_):
     message = (ctypes.c_long * 24)(33, 0, 0, 0, window, atoms[0], 32, atoms[1])
     x11.XSendEvent(display, ctypes.c_ulong(window), 0, ctypes.c_long(0), message)
     x11.XFlush(display)
-glutTimerFunc(50, close, 0)
-def step(_): pass
+glutTimerFunc(0, close, 0)
 glutMainLoop()
 say("after")
 """
     )
-    done = run_on_screen(tmp_path, source.replace("glutTimerFunc(200, step, 0)", ""))
+    done = run_on_screen(tmp_path, source)
     assert (done.returncode, done.stdout, done.stderr) == (0, out, "")
 
 
@@ -221,7 +228,7 @@ def test_real_timers_take_real_time(tmp_path: Path) -> None:
 import time
 began = time.perf_counter()
 def late(_):
-    say(0.15 <= time.perf_counter() - began < 5, 150 <= glutGet(GLUT_ELAPSED_TIME) < 5000)
+    say(0.15 <= time.perf_counter() - began, 150 <= glutGet(GLUT_ELAPSED_TIME) < 150000)
     glutLeaveMainLoop()
 glutTimerFunc(150, late, 0)
 glutMainLoop()
@@ -255,7 +262,7 @@ def display():
     glutLeaveMainLoop()
 glutDisplayFunc(display)
 glutReshapeFunc(print)
-glutTimerFunc(2000, sys.exit, 9)
+glutTimerFunc(100000, sys.exit, 9)
 glutMainLoop()
 """
 

@@ -13,6 +13,7 @@ from PIL import Image
 
 from tests.render.conftest import ROOT
 from tests.render.programs import CLEARS, SPINNER
+from tests.waiting import LONGEST
 
 
 def render(folder: Path, *args: str) -> subprocess.CompletedProcess[str]:
@@ -23,7 +24,7 @@ def render(folder: Path, *args: str) -> subprocess.CompletedProcess[str]:
         [sys.executable, "-m", "domeshim", "render", *args],
         capture_output=True,
         text=True,
-        timeout=120,
+        timeout=LONGEST,
         cwd=folder,
         env={**environment, "PYTHONPATH": str(ROOT)},
     )

@@ -12,6 +12,8 @@ from numpy.typing import NDArray
 from PIL import Image
 from scipy import ndimage
 
+from tests.waiting import LONGEST
+
 ROOT = Path(__file__).resolve().parent.parent.parent
 DEMOS = ROOT / "demos"
 BY_DESIGN = "domeshim: long edges drawn by the program's own GLSL"
@@ -45,7 +47,7 @@ def capture(
         cwd=output.parent,
         capture_output=True,
         text=True,
-        timeout=100,
+        timeout=LONGEST,
     )
     complaints = [line for line in run.stderr.splitlines() if not line.startswith(BY_DESIGN)]
     assert (run.returncode, complaints) == (0, [])

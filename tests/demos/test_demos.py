@@ -14,6 +14,7 @@ from PIL import Image
 
 from domeshim.measure.match import match
 from tests.demos.captures import DEMOS, capture, environment, through_window
+from tests.waiting import LONGEST
 
 SIZE, DOME_SIZE = 160, 448
 MODULES = {"masonry", "paint", "stage"}
@@ -81,7 +82,7 @@ def python(*arguments: str, folder: Path | None = None) -> subprocess.CompletedP
         cwd=folder,
         capture_output=True,
         text=True,
-        timeout=60,
+        timeout=LONGEST,
     )
 
 
@@ -163,7 +164,7 @@ def test_every_key_and_the_mouse_do_something_and_end_nothing(
 def test_a_demo_says_what_it_lacks(name: str, needs: str, line: str):
     code = f"import sys, runpy; sys.modules[{needs!r}] = None; runpy.run_path({str(DEMOS / name)!r} + '.py')"
     run = subprocess.run(
-        [sys.executable, "-c", code], env=environment(), capture_output=True, text=True, timeout=60
+        [sys.executable, "-c", code], env=environment(), capture_output=True, text=True, timeout=LONGEST
     )
     assert (run.returncode, run.stdout, run.stderr) == (1, "", line)
 
@@ -189,7 +190,9 @@ def test_mars_makes_a_landscape_with_a_horizon():
         "import sys, mars; mars.SIZE = (192, 96); from paint import bytes_of;"
         "sys.stdout.buffer.write(bytes_of(mars.landscape()).tobytes())"
     )
-    run = subprocess.run([sys.executable, "-c", code], env=environment(), capture_output=True, timeout=100)
+    run = subprocess.run(
+        [sys.executable, "-c", code], env=environment(), capture_output=True, timeout=LONGEST
+    )
     assert (run.returncode, run.stderr) == (0, b"")
     picture = np.frombuffer(run.stdout, np.uint8).reshape(96, 192, 3).astype(int)
     rough = abs(np.diff(picture.sum(-1), axis=1)).mean(1)
@@ -215,7 +218,7 @@ filled()
 print(light(film.picture(0.41)), film.dropped)
 """
     run = subprocess.run(
-        [sys.executable, "-c", code], env=environment(), capture_output=True, text=True, timeout=60
+        [sys.executable, "-c", code], env=environment(), capture_output=True, text=True, timeout=LONGEST
     )
     assert (run.returncode, run.stderr) == (0, "")
     first, second, third = (line.split() for line in run.stdout.splitlines())

@@ -14,6 +14,8 @@ import pytest
 from numpy.typing import NDArray
 from PIL import Image
 
+from tests.waiting import LONGEST
+
 ROOT = Path(__file__).resolve().parent.parent.parent
 DEMO = ROOT / "demos" / "teapots.py"
 SIZE = 160
@@ -37,7 +39,7 @@ def take(tmp_path_factory: pytest.TempPathFactory) -> Take:
                 cwd=folder,
                 capture_output=True,
                 text=True,
-                timeout=60,
+                timeout=LONGEST,
             )
             assert (run.returncode, run.stderr) == (0, "")
             assert run.stdout.startswith("Keys: 1 far")
@@ -126,7 +128,9 @@ def test_the_same_program_draws_the_same_picture_each_time(take: Take):
 
 
 def test_a_place_that_does_not_exist_is_one_clear_line():
-    run = subprocess.run([sys.executable, str(DEMO), "nowhere"], capture_output=True, text=True, timeout=60)
+    run = subprocess.run(
+        [sys.executable, str(DEMO), "nowhere"], capture_output=True, text=True, timeout=LONGEST
+    )
     assert run.returncode == 2
     assert "invalid choice: 'nowhere'" in run.stderr
     assert "Traceback" not in run.stderr

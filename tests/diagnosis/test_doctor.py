@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.waiting import LONGEST
+
 ROOT = Path(__file__).resolve().parent.parent.parent
 PROGRAM = """
 from OpenGL.GL import *
@@ -34,7 +36,7 @@ def doctor(folder: Path, *arguments: str, **variables: str) -> subprocess.Comple
     for name in ("DISPLAY", "WAYLAND_DISPLAY", "PYOPENGL_PLATFORM"):
         environ.pop(name, None)
     command = [sys.executable, "-m", "domeshim", "doctor", *arguments]
-    return subprocess.run(command, cwd=folder, env=environ, capture_output=True, text=True, timeout=300)
+    return subprocess.run(command, cwd=folder, env=environ, capture_output=True, text=True, timeout=LONGEST)
 
 
 def test_what_works_here_and_why_the_rest_does_not(tmp_path):

@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.waiting import LONGEST
+
 ROOT = Path(__file__).resolve().parent.parent.parent
 PROGRAM = """
 from OpenGL.GL import *
@@ -66,7 +68,9 @@ def explain(tmp_path):
         (tmp_path / "prog.py").write_text(PROGRAM)
         command = [sys.executable, "-m", "domeshim", "explain", "--size", "128", *options, "prog.py"]
         environ = {**os.environ, "PYTHONPATH": str(ROOT)}
-        return subprocess.run(command, cwd=tmp_path, env=environ, capture_output=True, text=True, timeout=120)
+        return subprocess.run(
+            command, cwd=tmp_path, env=environ, capture_output=True, text=True, timeout=LONGEST
+        )
 
     return explain
 
@@ -127,7 +131,11 @@ def test_a_few_lines_and_quads_are_counted_as_the_program_gave_them(tmp_path):
     (tmp_path / "few.py").write_text(FEW)
     command = [sys.executable, "-m", "domeshim", "explain", "--json", "--size", "128", "few.py"]
     result = subprocess.run(
-        command, cwd=tmp_path, env={**os.environ, "PYTHONPATH": str(ROOT)}, capture_output=True, timeout=60
+        command,
+        cwd=tmp_path,
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+        capture_output=True,
+        timeout=LONGEST,
     )
     ways = [way for way in json.loads(result.stdout)["draws"] if way["kind"] == "draw"]
     assert {way["primitives"] for way in ways} == {6, 1}

@@ -11,6 +11,8 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from tests.waiting import LONGEST
+
 ROOT = Path(__file__).resolve().parents[2]
 
 PROGRAM = """
@@ -80,7 +82,7 @@ def pictures(tmp_path: Path, request: pytest.FixtureRequest) -> dict[str, np.nda
             env=environ,
             capture_output=True,
             text=True,
-            timeout=120,
+            timeout=LONGEST,
         )
         assert (done.returncode, done.stdout, done.stderr) == (0, "1 True 0\n", "")
         found[cube] = np.asarray(Image.open(tmp_path / f"{cube}.png"), int)

@@ -14,6 +14,7 @@ from types import ModuleType
 import pytest
 
 from domeshim.intercept.finder import ImportFinder
+from tests.waiting import PATIENCE
 
 NAME = "watched_pkg.inner"
 
@@ -138,6 +139,6 @@ def test_many_threads_import_it_once(finder, heard, package):
     for thread in threads:
         thread.start()
     for thread in threads:
-        thread.join(10)
+        thread.join(PATIENCE)
     assert results == [1] * 8
     assert len(heard) == 1

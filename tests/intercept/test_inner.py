@@ -15,6 +15,7 @@ import pytest
 from domeshim.intercept.overlay import Overlay
 from domeshim.options import Options
 from domeshim.session import Session
+from tests.waiting import LONGEST
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -92,7 +93,7 @@ def test_a_program_that_imports_inner_modules_is_on_the_dome(tmp_path: Path, imp
         env=environ,
         capture_output=True,
         text=True,
-        timeout=120,
+        timeout=LONGEST,
     )
     assert (result.returncode, result.stderr) == (0, "")
     picture = Image.open(tmp_path / "out.png")

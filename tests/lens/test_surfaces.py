@@ -13,6 +13,7 @@ from domeshim.errors import OptionError
 from domeshim.lens.keystone import WHOLE, Keystone
 from domeshim.lens.mesh import MeshError, read_mesh
 from domeshim.options import Options
+from tests.waiting import LONGEST
 
 CORNERS = (0.2, 0.0, 0.9, 0.1, 1.0, 1.0, 0.0, 0.8)
 SQUARE = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]], float)
@@ -86,7 +87,12 @@ def test_a_file_that_is_no_mesh_ends_in_one_line_before_the_program_begins(tmp_p
     (tmp_path / "prog.py").write_text("print('began')\n")
     environ = {**os.environ, "DOME": "1", "DOME_SURFACE": "bad.data", "PYTHONPATH": os.pathsep.join(sys.path)}
     ended = subprocess.run(
-        [sys.executable, *arguments], cwd=tmp_path, env=environ, capture_output=True, text=True, timeout=60
+        [sys.executable, *arguments],
+        cwd=tmp_path,
+        env=environ,
+        capture_output=True,
+        text=True,
+        timeout=LONGEST,
     )
     said = "domeshim: DOME_SURFACE: bad.data: 3 by 3 nodes of x y u v i are 45 numbers, and there are 3\n"
     assert (ended.returncode, ended.stdout, ended.stderr) == (2, "", said)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-import time
+import textwrap
 from pathlib import Path
+from threading import Event
 
 import numpy as np
 import pytest
@@ -12,7 +13,8 @@ import pytest
 from domeshim.errors import OptionError
 from domeshim.live.readback import Picture
 from domeshim.live.shared import LARGEST, Board
-from tests.GLUT.program_runs import needs_xvfb, run_on_screen
+from tests.displays import needs_xvfb
+from tests.GLUT.program_runs import run_on_screen
 
 
 def test_newest_picture_is_handed_on():
@@ -65,28 +67,34 @@ def test_pictures_that_come_too_fast_are_counted(tmp_path: Path, monkeypatch: py
     pytest.importorskip("av")
     from domeshim.live import recording
 
-    def slow(self):
-        time.sleep(0.3)
+    all_came = Event()
+
+    def late(self):
+        all_came.wait()
         write(self)
 
     write = recording.Recording._write
-    monkeypatch.setattr(recording.Recording, "_write", slow)
+    monkeypatch.setattr(recording.Recording, "_write", late)
     film = recording.Recording(tmp_path / "film.mp4")
     for number in range(30):
         film.add(Picture(number / 10, np.zeros((48, 64, 4), np.uint8)))
+    all_came.set()
     film.close()
     assert film.dropped > 0
+    assert film.taken > 0
     assert film.taken + film.dropped == 30
 
 
 PROGRAM = """
 import os, subprocess, sys
-os.environ.update(DOME="1", {})
+os.environ.update(DOME="1", {setting})
 import domeshim
 domeshim.install()
+from pathlib import Path
 from OpenGL.GL import *
 from OpenGL.GLU import *
 from OpenGL.GLUT import *
+from tests.waiting import Steps
 n, heard = 0, []
 def display():
     global n
@@ -94,34 +102,39 @@ def display():
     glClearColor(0, 0.2 + 0.6 * (n % 2), 0, 1)
     glClear(GL_COLOR_BUFFER_BIT)
     glutSwapBuffers()
-STEPS = iter({})
+def xdotool(words):
+    return subprocess.run(["xdotool", *words.split()], capture_output=True).returncode == 0
+def more(pictures):
+    return lambda until=n + pictures: n >= until
+def steps():
+{steps}
+taken = Steps(steps())
 def timer(_):
-    words = next(STEPS, "end")
-    if words == "end":
+    if taken.ended():
         print(n, heard, glGetError(), flush=True)
         sys.exit()
-    if words:
-        subprocess.run(["xdotool", *words.split()], check=True)
     glutPostRedisplay()
-    glutTimerFunc(60, timer, 0)
+    glutTimerFunc(20, timer, 0)
 glutInit(sys.argv)
 glutInitDisplayMode(GLUT_DOUBLE)
 glutInitWindowSize(200, 200)
 glutCreateWindow("film")
 glutDisplayFunc(display)
 glutKeyboardFunc(lambda key, x, y: heard.append(key))
-glutTimerFunc(500, timer, 0)
+glutTimerFunc(0, timer, 0)
 glutMainLoop()
 """
+
+
+def program(setting: str, *steps: str) -> str:
+    return PROGRAM.format(setting=setting, steps=textwrap.indent("\n".join(steps), "    "))
 
 
 @needs_xvfb
 def test_program_is_recorded_from_its_start(tmp_path: Path):
     av = pytest.importorskip("av")
     film = tmp_path / "film.mp4"
-    ended = run_on_screen(
-        tmp_path, PROGRAM.replace("{}", f"DOME_RECORD={str(film)!r}", 1).replace("{}", "[''] * 9")
-    )
+    ended = run_on_screen(tmp_path, program(f"DOME_RECORD={str(film)!r}", "yield more(10)"))
     assert ended.returncode == 0, ended.stderr
     count, heard, error = ended.stdout.split()[:3]
     assert (heard, error) == ("[]", "0")
@@ -138,8 +151,16 @@ def test_program_is_recorded_from_its_start(tmp_path: Path):
 @needs_xvfb
 def test_key_begins_and_ends_a_recording(tmp_path: Path):
     pytest.importorskip("av")
-    steps = ["key ctrl+shift+r", *[""] * 8, "key ctrl+shift+r", "key a", ""]
-    source = PROGRAM.replace("{}", f"PWD={str(tmp_path)!r}", 1).replace("{}", repr(steps))
+    steps = (
+        "yield more(1)",
+        "xdotool('key ctrl+shift+r')",
+        "yield lambda: list(Path().glob('domeshim-*.mp4'))",
+        "yield more(5)",
+        "xdotool('key ctrl+shift+r key a')",
+        "yield lambda: heard",
+        "yield more(1)",
+    )
+    source = program(f"PWD={str(tmp_path)!r}", *steps)
     ended = run_on_screen(tmp_path, f"import os\nos.chdir({str(tmp_path)!r})\n" + source)
     assert ended.returncode == 0, ended.stderr
     assert ended.stdout.split()[1] == "[b'a']"
@@ -149,8 +170,7 @@ def test_key_begins_and_ends_a_recording(tmp_path: Path):
 
 @needs_xvfb
 def test_virtual_dome_opens_beside_the_program(tmp_path: Path):
-    steps = [*[""] * 60, "search --name ^virtual.dome"]
-    source = PROGRAM.replace("{}", "DOME_PREVIEW='1'", 1).replace("{}", repr(steps))
-    ended = run_on_screen(tmp_path, source)
+    found = "yield lambda: xdotool('search --onlyvisible --name ^virtual.dome')"
+    ended = run_on_screen(tmp_path, program("DOME_PREVIEW='1'", found))
     assert ended.returncode == 0, ended.stderr
     assert ended.stderr.strip() == ""

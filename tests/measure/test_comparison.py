@@ -18,6 +18,7 @@ from domeshim.measure.apart import Program
 from domeshim.measure.baseline import Baseline
 from domeshim.measure.comparison import Compared, Comparison, even_side
 from domeshim.measure.difference import difference, unwarped
+from tests.waiting import LONGEST
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 SCENE = ROOT / "benchmarks" / "faulty_scene.py"
@@ -49,7 +50,9 @@ def compare(tmp_path):
             program = Path("prog.py")
         environ = {**os.environ, "PYTHONPATH": str(ROOT)}
         command = [sys.executable, "-m", "domeshim", "compare", "--size", "160", *options, str(program)]
-        return subprocess.run(command, cwd=tmp_path, env=environ, capture_output=True, text=True, timeout=300)
+        return subprocess.run(
+            command, cwd=tmp_path, env=environ, capture_output=True, text=True, timeout=LONGEST
+        )
 
     return compare
 
@@ -218,6 +221,8 @@ def test_without_scipy_it_says_what_to_install(compare, tmp_path):
     )
     environ = {**os.environ, "PYTHONPATH": f"{tmp_path}{os.pathsep}{ROOT}"}
     command = [sys.executable, "-m", "domeshim", "compare", "prog.py"]
-    result = subprocess.run(command, cwd=tmp_path, env=environ, capture_output=True, text=True, timeout=60)
+    result = subprocess.run(
+        command, cwd=tmp_path, env=environ, capture_output=True, text=True, timeout=LONGEST
+    )
     assert (result.returncode, result.stdout) == (2, "")
     assert result.stderr == "domeshim: domeshim compare needs scipy: pip install 'domeshim[measure]'\n"

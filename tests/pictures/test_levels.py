@@ -13,6 +13,7 @@ from domeshim.lens.models import Equidistant
 from domeshim.shading.compose import compose
 from domeshim.shading.recipe import Recipe
 from tests.pictures.beside import SIZE, checks, looking_around
+from tests.waiting import LONGEST
 
 COLOURS = np.reshape(RAMP, (6, 4))[:, :3] * 255
 """Of what is whole, and of 1, 2, 4, 8 and 16 pieces."""
@@ -190,7 +191,7 @@ def test_the_command_writes_such_a_picture(tmp_path):
         "glutDisplayFunc(display); glutMainLoop()\n"
     )
     command = [sys.executable, "-m", "domeshim", "capture", "--debug", "levels", "--size", "128"]
-    subprocess.run([*command, "--output", str(output), str(program)], check=True, timeout=60)
+    subprocess.run([*command, "--output", str(output), str(program)], check=True, timeout=LONGEST)
     picture = np.asarray(Image.open(output).convert("RGB"))
     assert level_of(picture[64, 64])[0] > 2
 

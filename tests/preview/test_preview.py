@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from pathlib import Path
 
+import glfw
 import numpy as np
 import pytest
 from PIL import Image
 
+from domeshim.live.shared import Board
 from domeshim.options import Options
 from domeshim.preview.dome import VirtualDome, dome_of
+from domeshim.preview.pictures import Live
 from domeshim.preview.viewer import Viewer
+from domeshim.preview.window import Hands
+from tests.waiting import LONGEST
 
 ROOT = Path(__file__).parents[2]
 
@@ -20,7 +26,7 @@ ROOT = Path(__file__).parents[2]
 def preview(*args: str, **environment: str) -> subprocess.CompletedProcess[str]:
     command = [sys.executable, "-m", "domeshim", "preview", *args]
     env = {"PATH": "/usr/bin:/bin", "PYTHONPATH": str(ROOT), **environment}
-    return subprocess.run(command, capture_output=True, text=True, timeout=120, env=env)
+    return subprocess.run(command, capture_output=True, text=True, timeout=LONGEST, env=env)
 
 
 def seen(dome: VirtualDome, viewer: Viewer, phi: float, theta: float) -> np.ndarray:
@@ -65,6 +71,34 @@ def test_viewer_looks_turns_and_flies():
     assert VirtualDome.from_json(dome.to_json()) == dome
 
 
+def test_a_key_touched_between_two_pictures_moves_the_viewer_once():
+    viewer = Viewer((0, 1, 0), 0, 0, 90)
+    hands = Hands(viewer)
+    for pressed in (True, False):
+        hands.key(glfw.KEY_D, pressed, 0)
+    for _ in range(2):
+        hands.move(0.1)
+    np.testing.assert_allclose(viewer.place, (0.3, 1, 0), atol=1e-12)
+    for key in (glfw.KEY_D, glfw.KEY_R):
+        for pressed in (True, False):
+            hands.key(key, pressed, 0)
+    hands.move(0.1)
+    assert viewer.place == (0, 1, 0)
+
+
+def test_the_dome_beside_a_program_ends_with_it():
+    board = Board()
+    try:
+        assert not Live(board.name, os.getppid()).ended
+        assert Live(board.name, 2**22 + 1).ended  # a number that no process has
+    finally:
+        board.close()
+    command = [sys.executable, "-m", "domeshim.preview.beside", board.name, "1", "{}", "{}"]
+    env = {"PATH": "/usr/bin:/bin", "PYTHONPATH": str(ROOT)}
+    done = subprocess.run(command, capture_output=True, text=True, timeout=LONGEST, env=env)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+
+
 @pytest.mark.parametrize(
     ("look", "colour"),
     [("0,20", (255, 0, 0)), ("90,20", (0, 255, 0)), ("180,20", (0, 0, 255)), ("0,89", (255, 255, 255))],
@@ -106,7 +140,7 @@ def test_view_of_a_program(tmp_path: Path):
 def test_what_cannot_be_shown_is_one_line(tmp_path: Path, args: list[str], said: str):
     command = [sys.executable, "-m", "domeshim", "preview", *args]
     env = {"PATH": "/usr/bin:/bin", "PYTHONPATH": str(ROOT)}
-    done = subprocess.run(command, capture_output=True, text=True, timeout=60, env=env, cwd=tmp_path)
+    done = subprocess.run(command, capture_output=True, text=True, timeout=LONGEST, env=env, cwd=tmp_path)
     assert done.returncode == 2
     assert said in done.stderr
     assert done.stderr.count("\n") == 1

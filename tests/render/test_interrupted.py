@@ -6,31 +6,28 @@ import os
 import signal
 import subprocess
 import sys
-import time
-from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
 
 from tests.render.conftest import ROOT
 from tests.render.programs import CLEARS, SPINNER
+from tests.waiting import LONGEST, wait_for
 
 WRITES_ITSELF_DOWN = CLEARS + "\ndef after():\n    open(sys.argv[1], 'a').write(f'{os.getpid()}\\n')\n"
 
 
-def wait_for(found: Callable[[], bool]) -> None:
-    until = time.monotonic() + 60
-    while not found():
-        assert time.monotonic() < until
-        time.sleep(0.05)
-
-
-def alive(process: int) -> bool:
-    try:
-        os.kill(process, 0)
-    except ProcessLookupError:
-        return False
-    return Path(f"/proc/{process}/stat").read_text().split()[2] != "Z"
+def running(session: int, hosts: set[int]) -> list[int]:
+    """The processes of that session, and of the programs that run in sessions of their own."""
+    found = []
+    for stat in Path("/proc").glob("[0-9]*/stat"):
+        with suppress(OSError):  # it has gone meanwhile
+            state, _, _, belongs, *_ = stat.read_text().rpartition(")")[2].split()
+            process = int(stat.parent.name)
+            if state != "Z" and (int(belongs) == session or process in hosts):
+                found.append(process)
+    return found
 
 
 @pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGKILL])
@@ -59,21 +56,20 @@ def test_interrupted_client(tmp_path: Path, how: signal.Signals, workers: list[s
         os.killpg(first.pid, how)
     else:
         first.send_signal(how)
-    said = first.communicate(timeout=60)[1]
+    said = first.communicate(timeout=LONGEST)[1]
     if how == signal.SIGINT:
         assert first.returncode == 130
         assert said.rstrip().endswith("domeshim: stopped; the same command goes on from here")
         assert "Traceback" not in said
-    hosts = {int(host) for host in notes.read_text().split()}
-    wait_for(lambda: not any(alive(host) for host in hosts))
+    wait_for(lambda: not running(first.pid, {int(host) for host in notes.read_text().split()}))
     made = {path: path.stat().st_mtime_ns for path in output.glob("*.png")}
     last = max(int(path.stem[-6:]) for path in made) + 3
     second = render(f"1:{last}", *workers)
-    said = second.communicate(timeout=60)[1]
+    said = second.communicate(timeout=LONGEST)[1]
     assert second.returncode == 0, said
     assert all(path.stat().st_mtime_ns == at for path, at in made.items())
     undisturbed = render(f"1:{last}", output=tmp_path / "undisturbed")
-    said = undisturbed.communicate(timeout=60)[1]
+    said = undisturbed.communicate(timeout=LONGEST)[1]
     assert undisturbed.returncode == 0, said
     shown = {path.name: path.read_bytes() for path in output.iterdir() if path.suffix == ".png"}
     assert len(shown) == last

@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from tests.GLUT.program_runs import needs_xvfb, run_on_screen
+from tests.displays import needs_xvfb
+from tests.GLUT.program_runs import run_on_screen
 from tests.intercept.toolkits.program_runs import capture
 
 COMMON = """
@@ -18,24 +19,39 @@ import os, subprocess, sys
 os.environ["DOME"] = "1"
 import domeshim
 domeshim.install()
+import numpy
 from OpenGL.GL import *
 from OpenGL.GLU import *
 from domeshim import session
+from tests.waiting import Steps
 
 heard, pictures = [], []
 class Watcher:
     def frame_finished(self, window, number):
         pixels = glReadPixels(0, 0, *window.size, GL_RGB, GL_UNSIGNED_BYTE)
-        pictures.append(sum(pixels[i] > 200 and pixels[i + 2] > 200 for i in range(0, len(pixels), 3)))
+        pixels = numpy.frombuffer(pixels, numpy.uint8).reshape(-1, 3)
+        pictures.append(int((pixels[:, [0, 2]] > 200).all(axis=1).sum()))
 session.current().listeners.append(Watcher())
-STEPS = iter(["key a", "key ctrl+shift+p", "key b", "key ctrl+shift+p", "key ctrl+p"])
-def step():
-    words = next(STEPS, None)
-    if words is None:
-        print(heard, [n > 1000 for n in pictures[:1] + shown], flush=True)
-        os._exit(0)
-    subprocess.run(["xdotool", *words.split()], check=True)
-shown = []
+STEPS = ["key a", "key ctrl+shift+p", "key b", "key ctrl+shift+p", "key ctrl+p"]
+def steps():
+    shown = []
+    def drawn():
+        shown.append(pictures[-1] > 1000)
+    yield lambda: pictures
+    drawn()
+    for words in STEPS:
+        card, awaited, before = shown[-1], len(heard) + answers, len(pictures)
+        subprocess.run(["xdotool", *words.split()], check=True)
+        if words != "key ctrl+shift+p":
+            yield lambda: len(heard) >= awaited
+            redraw()
+            yield lambda: len(pictures) > before
+        else:
+            yield lambda: (pictures[-1] > 1000) != card  # the card comes and goes by itself
+        drawn()
+    print(heard, shown, flush=True)
+    os._exit(0)
+taken = Steps(steps())
 def draw():
     glClearColor(0, 0.2, 0, 1)
     glClear(GL_COLOR_BUFFER_BIT)
@@ -46,25 +62,21 @@ def display():
     draw()
     glutSwapBuffers()
 def timer(_):
-    if heard_steps:
-        shown.append(pictures[-1])
-    heard_steps.append(1)
-    step()
-    glutTimerFunc(300, timer, 0)
-heard_steps = []
+    taken.ended()
+    glutTimerFunc(5, timer, 0)
 glutInit(sys.argv)
 glutInitDisplayMode(GLUT_DOUBLE)
 glutInitWindowSize(400, 400)
 glutInitWindowPosition(0, 0)
 glutCreateWindow("card")
 glutDisplayFunc(display)
+redraw, answers = glutPostRedisplay, 2
 glutKeyboardFunc(lambda key, x, y: heard.append(key.decode("latin-1")))
 glutKeyboardUpFunc(lambda key, x, y: heard.append("up"))
-glutTimerFunc(300, timer, 0)
+glutTimerFunc(0, timer, 0)
 glutMainLoop()
 """
 GLFW = """
-import time
 import glfw
 glfw.init()
 window = glfw.create_window(400, 400, "card", None, None)
@@ -73,17 +85,11 @@ def key(window, key, scancode, action, mods):
     if action != glfw.REPEAT and key < 256:
         heard.append(chr(key).lower() if action == glfw.PRESS and not mods else "ctrl" if action else "up")
 assert glfw.set_key_callback(window, key) is None
-first = True
-while True:
-    until = time.time() + 0.3
-    while time.time() < until:
-        draw()
-        glfw.swap_buffers(window)
-        glfw.poll_events()
-    if not first:
-        shown.append(pictures[-1])
-    first = False
-    step()
+redraw, answers = int, 2  # it draws all the time
+while not taken.ended():
+    draw()
+    glfw.swap_buffers(window)
+    glfw.poll_events()
 """
 QT = """
 from PySide6.QtCore import Qt, QTimer
@@ -101,19 +107,17 @@ widget = Widget()
 widget.setWindowTitle("card")
 widget.resize(400, 400)
 widget.show()
+redraw, answers = widget.update, 1
+def focused():
+    subprocess.run("xdotool search --onlyvisible --name ^card windowfocus".split(), capture_output=True)
+    return widget.isActiveWindow()
 def tick():
-    if began:
-        shown.append(pictures[-1])
-    began.append(1)
-    step()
-    if len(began) != 3:  # the card comes and goes by itself
-        widget.update()
-def begin():
-    subprocess.run("xdotool search --onlyvisible --name ^card windowfocus".split(), check=True)
-    timer.start(300)
-began, timer = [], QTimer()
+    if ready or pictures and focused():
+        ready.append(1)
+        taken.ended()
+ready, timer = [], QTimer()
 timer.timeout.connect(tick)
-QTimer.singleShot(1000, begin)
+timer.start(20)
 app.exec()
 """
 needs_pyside = pytest.mark.skipif(find_spec("PySide6") is None, reason="PySide6 is not installed")

@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.GLUT.program_runs import needs_xvfb, run_on_screen
+from tests.displays import needs_xvfb
+from tests.GLUT.program_runs import run_on_screen
 
 OPEN_TWO = """
 from domeshim.window import handles

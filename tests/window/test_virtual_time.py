@@ -11,6 +11,7 @@ import pytest
 
 from domeshim.window.clock import VirtualClock
 from domeshim.window.virtual_time import EPOCH, pin_time
+from tests.waiting import LONGEST
 
 
 @pytest.fixture
@@ -102,5 +103,5 @@ assert pygame.time.Clock is not type(ticker) and "VirtualClock" not in repr(glfw
 def test_modules_that_come_later_are_patched_as_they_are_imported() -> None:
     pytest.importorskip("pygame")
     command = [sys.executable, "-c", LATE]
-    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=60)
+    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=LONGEST)
     assert done.returncode == 0, done.stderr

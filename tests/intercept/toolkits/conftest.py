@@ -21,7 +21,6 @@ def captured_by_glut(tmp_path_factory: pytest.TempPathFactory) -> dict[str, np.n
 
 @pytest.fixture(scope="session")
 def seen_by_glut(tmp_path_factory: pytest.TempPathFactory) -> np.ndarray:
-    seen, stderr = runs.photograph(tmp_path_factory.mktemp("glut"), runs.GLUT)
-    assert seen[2, 2].max() == 0, stderr  # the rim
-    assert len(np.unique(seen.reshape(-1, 3), axis=0)) >= 3, stderr  # the rim, the background and the scene
+    seen, stderr = runs.photograph(tmp_path_factory.mktemp("glut"), runs.GLUT, runs.begun)
+    assert runs.begun(seen), stderr
     return seen

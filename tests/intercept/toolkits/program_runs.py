@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
-import os
 import subprocess
 import sys
 import textwrap
+from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 
 import numpy as np
-from PIL import Image
+from PIL import Image, ImageGrab
+
+from domeshim.measure.reference import virtual_display
+from tests.displays import only_on
+from tests.waiting import LONGEST, wait_for
 
 ROOT = Path(__file__).resolve().parents[3]
+Seen = Callable[[np.ndarray], bool]
 
 SCENE = """
 from OpenGL.GL import *
@@ -142,20 +148,6 @@ window.show()
 sys.exit(app.exec())
 """
 
-GRAB = """
-import sys, time
-from PIL import ImageGrab
-until = time.monotonic() + 60
-seen = None
-while time.monotonic() < until:
-    time.sleep(0.5)
-    image, before = ImageGrab.grab().convert("RGB"), seen
-    seen = image.tobytes()
-    if image.getpixel((150, 150)) != (0, 0, 0) and seen == before:
-        break
-image.save(sys.argv[1])
-"""
-
 
 def write(folder: Path, source: str, step: float = 5.0) -> None:
     """Write prog.py and the scene that it draws, turned by step degrees at each picture."""
@@ -164,23 +156,23 @@ def write(folder: Path, source: str, step: float = 5.0) -> None:
 
 
 def environment(**variables: str) -> dict[str, str]:
-    clean = {name: value for name, value in os.environ.items() if not name.startswith(("DOME", "PYOPENGL_"))}
-    for name in ("DISPLAY", "WAYLAND_DISPLAY"):
-        clean.pop(name, None)
+    """Where there is no display, or on the one that is given."""
+    clean = only_on("")
+    del clean["DISPLAY"]
     return clean | {"PYTHONPATH": str(ROOT), "PYGAME_HIDE_SUPPORT_PROMPT": "1"} | variables
 
 
 def capture(folder: Path, source: str, *options: str, **variables: str) -> subprocess.CompletedProcess[str]:
     """Photograph the program's third picture, 200 pixels square unless the options say otherwise."""
     write(folder, source)
-    defaults = ["--size", "200", "--frame", "3", "--output", "picture.png", "--timeout", "20"]
+    defaults = ["--size", "200", "--frame", "3", "--output", "picture.png"]
     return subprocess.run(
         [sys.executable, "-m", "domeshim", "capture", *defaults, *options, "prog.py"],
         cwd=folder,
         env=environment(**variables),
         capture_output=True,
         text=True,
-        timeout=90,
+        timeout=LONGEST,
     )
 
 
@@ -189,21 +181,40 @@ def picture(folder: Path) -> np.ndarray:
     return np.asarray(Image.open(folder / "picture.png")).astype(int)
 
 
-def photograph(folder: Path, source: str, **variables: str) -> tuple[np.ndarray, str]:
-    """Run the program, standing still, with DOME=1 on a display of its own; what it shows, and stderr."""
+def photograph(folder: Path, source: str, wanted: Seen, **variables: str) -> tuple[np.ndarray, str]:
+    """Run the program, standing still, with DOME=1 on a display of its own; what it shows, and stderr.
+
+    wanted: whether it shows by now what it is run for; if it never does, it is what it shows in the end.
+    """
     write(folder, source, step=0.0)
-    (folder / "grab.py").write_text(GRAB)
-    python = sys.executable
     start = (
         "import _domeshim_gate as g; g.arm(); import runpy; runpy.run_path('prog.py', run_name='__main__')"
     )
-    script = f'{python} -c "{start}" & pid=$!; {python} grab.py picture.png; kill $pid; wait $pid 2>/dev/null'
-    done = subprocess.run(
-        ["xvfb-run", "-a", "-s", "-screen 0 300x300x24", "bash", "-c", script],
-        cwd=folder,
-        env=environment(DOME="1", **variables),
-        capture_output=True,
-        text=True,
-        timeout=90,
-    )
-    return picture(folder), done.stderr
+    with virtual_display((300, 300)) as display:
+        program = subprocess.Popen(
+            [sys.executable, "-c", start],
+            cwd=folder,
+            env=environment(DISPLAY=display, DOME="1", **variables),
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+
+        def shown() -> np.ndarray:
+            return np.asarray(ImageGrab.grab(xdisplay=display).convert("RGB")).astype(int)
+
+        with suppress(TimeoutError):
+            wait_for(lambda: program.poll() is not None or wanted(shown()), 0.05)
+        seen = shown()
+        program.kill()
+        return seen, program.communicate()[1]
+
+
+def begun(seen: np.ndarray) -> bool:
+    """The rim, the background and the scene are there."""
+    return not seen[2, 2].any() and len(np.unique(seen.reshape(-1, 3), axis=0)) >= 3
+
+
+def alike(seen: np.ndarray, other: np.ndarray) -> bool:
+    """Qt's windows are not smoothed, GLUT's are: edges may differ, and nothing else."""
+    return bool((np.abs(seen - other) > 8).any(axis=2).mean() < 0.01)

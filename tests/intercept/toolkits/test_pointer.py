@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import json
-import shutil
-import subprocess
 import sys
 from importlib.util import find_spec
 from pathlib import Path
@@ -16,7 +14,8 @@ from domeshim.intercept.toolkits.pygame import PygameToolkit
 from domeshim.intercept.toolkits.windows import ToolkitWindow
 from domeshim.options import Options
 from domeshim.session import Session
-from tests.intercept.toolkits.program_runs import capture, environment, write
+from tests.displays import needs_xvfb, run_on_display
+from tests.intercept.toolkits.program_runs import ROOT, capture, write
 
 WIDTH = 200
 """Pixels of the captured window: scene's view of 70 degrees over a dome of 180."""
@@ -181,24 +180,12 @@ def test_qts_events(tmp_path: Path, source: str) -> None:
         assert place == pytest.approx([99, 100 - 45.2], abs=1)
 
 
-@pytest.mark.skipif(not shutil.which("xvfb-run"), reason="needs xvfb-run")
+@needs_xvfb
 @pytest.mark.parametrize("source", QT_PROGRAMS)
 def test_qts_events_on_a_display(tmp_path: Path, source: str) -> None:
     write(tmp_path, source.replace("timer.start(10)", "QTimer.singleShot(100, app.quit)"))
-    command = [
-        "xvfb-run",
-        "-a",
-        "-s",
-        "-screen 0 300x300x24",
-        sys.executable,
-        "-m",
-        "domeshim",
-        "run",
-        "prog.py",
-    ]
-    done = subprocess.run(
-        command, cwd=tmp_path, env=environment(), capture_output=True, text=True, timeout=60
-    )
+    command = [sys.executable, "-m", "domeshim", "run", "prog.py"]
+    done = run_on_display(command, {"PYTHONPATH": str(ROOT)}, (300, 300), tmp_path)
     if "could not connect" in done.stderr or "Could not load the Qt platform plugin" in done.stderr:
         pytest.skip("Qt's plugin for X11 lacks libraries here (Debian: libxcb-cursor0)")
     places = json.loads((tmp_path / "told.json").read_text())
