@@ -32,6 +32,7 @@ _SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "glMaterialfv": (None, (_ENUM, _ENUM, POINTER(c_float))),
     "glGetLightfv": (None, (_ENUM, _ENUM, POINTER(c_float))),
     "glGetTexGeniv": (None, (_ENUM, _ENUM, POINTER(c_int))),
+    "glGetTexLevelParameteriv": (None, (_ENUM, _INT, _ENUM, POINTER(c_int))),
     "glClipPlane": (None, (_ENUM, POINTER(c_double))),
     "glGetClipPlane": (None, (_ENUM, POINTER(c_double))),
     "glActiveTexture": (None, (_ENUM,)),

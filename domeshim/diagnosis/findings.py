@@ -14,7 +14,7 @@ from domeshim.state.perspective import depth_range
 from domeshim.wording import counted
 
 SIZES = ((256, 256), (320, 320))
-_COPIES = ("glCopyTexImage2D", "glCopyTexSubImage2D", "glCopyPixels")
+_TAKEN = ("glCopyTexImage2D", "glCopyTexSubImage2D")
 
 
 Sure = Literal["surely", "perhaps"]
@@ -57,11 +57,16 @@ def _viewports(small: Seen, large: Seen) -> list[Finding]:
 
 def _reading(seen: Seen) -> list[Finding]:
     counts = seen.calls["counts"]
-    reads, copies = counts.get("glReadPixels", 0), sum(counts.get(name, 0) for name in _COPIES)
+    reads, taken = counts.get("glReadPixels", 0), sum(counts.get(name, 0) for name in _TAKEN)
     asked = min(counts.get("MODELVIEW", 0), counts.get("PROJECTION", 0))
     told: tuple[tuple[int, Sure, str], ...] = (
         (reads, "perhaps", "it reads pixels {} a picture: few are the monitor's, areas the dome's"),
-        (copies, "surely", "it copies from its window {} a picture: that is the dome's frame"),
+        (taken, "perhaps", "it makes textures of its window {} a picture: as fine as the dome shows it"),
+        (
+            counts.get("glCopyPixels", 0),
+            "surely",
+            "it copies within its window {} a picture: in the dome's frame",
+        ),
         (counts.get("glBindFramebuffer", 0), "perhaps", "it draws into framebuffers of its own"),
         (
             counts.get("gluNewNurbsRenderer", 0),

@@ -16,6 +16,7 @@ from domeshim.draw.accumulation import Accumulation
 from domeshim.driver import Driver
 from domeshim.intercept import pixels, raster, reading, recorded, shaders
 from domeshim.intercept.arrays import draw_arrays, draw_elements, draw_range_elements, writes_buffer
+from domeshim.intercept.copying import COPIES, copy_texture
 from domeshim.intercept.dome import Dome
 from domeshim.intercept.lists import (
     call_list,
@@ -174,7 +175,7 @@ def _dome_call(dome: Dome, name: str, original: Call) -> Call:
 
 def _meaning(dome: Dome, name: str, original: Call) -> Call:
     """The call with what it means to the dome; the original where it means nothing."""
-    make = _SPECIAL.get(name)
+    make = copy_texture(name) if COPIES.fullmatch(name) else _SPECIAL.get(name)
     if make is None and _IN_A_FAMILY.fullmatch(name):
         make = next(make for pattern, make in _FAMILIES if pattern.fullmatch(name))
     return make(dome, original) if make is not None else original

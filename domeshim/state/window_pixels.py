@@ -20,7 +20,10 @@ if TYPE_CHECKING:
     from domeshim.state.monitor_raster import Raster
     from domeshim.state.pointer import Sight
     from domeshim.state.region import Region
+    from domeshim.state.shown import Shown
 
+_KEPT = 4
+"""So many areas of the window that a program copies are remembered."""
 _SCISSOR_TEST, _COLOR_BUFFER_BIT = 0x0C11, 0x4000
 
 
@@ -32,6 +35,8 @@ class WindowPixels:
         self._options = options
         self._region: tuple[object, Region] | None = None
         """The last answer, and what it depends on."""
+        self._shown: dict[object, Shown] = {}
+        """The last answers, by what they depend on."""
 
     @property
     def placed(self) -> bool:
@@ -75,6 +80,20 @@ class WindowPixels:
         paper = self._options.method == "paper"
         return Sight(view, context.frame, context.lens, context.orientation, paper)
 
+    def shown(self, area: Rectangle) -> Shown:
+        """Where the frame shows what is drawn now in an area of the program's window."""
+        from domeshim.state.shown import Shown, middles  # noqa: PLC0415 - few programs copy
+
+        frame, sight = self._context.frame, self.sight
+        flat = self._context.seen.placement.hud and self._options.flat_hud
+        key = (*_outlook(sight), flat, area)
+        if key not in self._shown:
+            places = frame.to_flat(middles(area)) if flat else sight.to_frame(middles(area))
+            self._shown = dict([*self._shown.items()][1 - _KEPT :]) | {
+                key: Shown(sight, places, bent=not flat)
+            }
+        return self._shown[key]
+
     @property
     def raster(self) -> Raster | None:
         """The raster position in the program's window; None where GL's own is the answer."""
@@ -100,7 +119,7 @@ class WindowPixels:
         if placer.has_perspective and self._options.flat_hud:
             return Region(frame.flat(part))
         sight = self.sight
-        key = (sight.view.camera.tobytes(), sight.view.turn.tobytes(), sight.view.viewport, frame, part)
+        key = (*_outlook(sight), part)
         if self._region is None or self._region[0] != key:
             self._region = key, region_of(sight, part)
         return self._region[1]
@@ -169,3 +188,8 @@ class WindowPixels:
         context = self._context
         keystone = context.frame.keystone
         return PartClear(context.driver, context.lens, context.orientation, keystone)
+
+
+def _outlook(sight: Sight) -> tuple[object, ...]:
+    """What of a sight may change in a context."""
+    return sight.view.camera.tobytes(), sight.view.turn.tobytes(), sight.view.viewport, sight.frame

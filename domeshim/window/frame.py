@@ -179,6 +179,12 @@ class Frame:
         x, y, w, h = viewport
         return round(left + scale * x), round(bottom + scale * y), round(scale * w), round(scale * h)
 
+    def to_flat(self, places: Floats) -> Floats:
+        """(..., 2) pixels of the program's window -> where flat shows them to the first eye."""
+        left, bottom, scale = self._flat(0)
+        found: Floats = scale * places + (left, bottom)
+        return found
+
     def from_flat(self, x: float, y: float) -> tuple[float, float]:
         """The place in the program's window that lies there: flat's way back."""
         left, bottom, scale = self._flat(0)
