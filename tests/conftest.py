@@ -14,7 +14,13 @@ from collections.abc import Iterator  # noqa: E402
 import hypothesis  # noqa: E402
 import pytest  # noqa: E402
 
-hypothesis.settings.register_profile("any machine", deadline=None)  # a busy one is no failure
+hypothesis.settings.register_profile(
+    "any machine",
+    deadline=None,  # a busy one is no failure
+    suppress_health_check=[hypothesis.HealthCheck.too_slow],
+    derandomize=True,  # what fails fails by a change, not by chance, nor by what an earlier run left
+    database=None,
+)
 hypothesis.settings.load_profile("any machine")
 
 

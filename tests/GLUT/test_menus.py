@@ -91,8 +91,10 @@ def test_an_open_menu_is_drawn_and_leaves_no_trace_in_gl(screen: WindowEvents, l
     pictures: list[Any] = []
 
     def display() -> None:
+        GL.glColorMask(1, 1, 1, 1)
         GL.glClearColor(0, 0, 0, 1)
         GL.glClear(GL.GL_COLOR_BUFFER_BIT)
+        GL.glColorMask(1, 0, 0, 1)
         GLUT.glutSwapBuffers()
         pixels = GL.glReadPixels(0, 0, 256, 192, GL.GL_RGB, GL.GL_UNSIGNED_BYTE)
         pictures.append(np.frombuffer(pixels, np.uint8).reshape(192, 256, 3)[::-1])
@@ -101,7 +103,6 @@ def test_an_open_menu_is_drawn_and_leaves_no_trace_in_gl(screen: WindowEvents, l
     menu_rows(log)
     GL.glMatrixMode(GL.GL_TEXTURE)
     GL.glEnable(GL.GL_LIGHTING)
-    GL.glColorMask(1, 0, 0, 1)
     click(screen, 20, 30, button=1)
     GLUT.glutMainLoopEvent()
     assert pictures[-1][31, 22].tolist() == [191, 191, 191]  # three quarters of white
@@ -110,7 +111,6 @@ def test_an_open_menu_is_drawn_and_leaves_no_trace_in_gl(screen: WindowEvents, l
     assert GL.glGetIntegerv(GL.GL_MATRIX_MODE) == GL.GL_TEXTURE
     assert GL.glIsEnabled(GL.GL_LIGHTING)
     assert GL.glGetBooleanv(GL.GL_COLOR_WRITEMASK).tolist() == [1, 0, 0, 1]
-    GL.glColorMask(1, 1, 1, 1)
     click(screen, 250, 190)
     GLUT.glutMainLoopEvent()
     assert not pictures[-1].any()
