@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from ctypes import ArgumentError
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -50,7 +51,19 @@ class Submitter:
 
         compiling: into a display list, where an attribute's current value is not known yet.
         """
+        try:
+            self._submit(recorder, context, compiling=compiling)
+        except (TypeError, ArgumentError):
+            try:
+                recorder.settle()  # which says what is no number
+            finally:
+                recorder.clear()
+            raise
+
+    def _submit(self, recorder: Immediate, context: DomeContext, *, compiling: bool) -> None:
         few = self._as_given(recorder, compiling=compiling)
+        if few and not recorder.plain:
+            recorder.settle()
         subdivision = _subdivision_of_few(recorder, context) if few else None
         if few and subdivision is None:
             self.replay(recorder, context.draw if recorder.blocks else at_once)

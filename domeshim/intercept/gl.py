@@ -89,7 +89,7 @@ def replacements(session: Session, module: ModuleType) -> dict[str, Call]:
             if name.startswith("gl") and callable(original) and not _UNSEEN.fullmatch(name):
                 ours[name] = _dome_call(dome, name, ours.get(name, original))
     for name, call in ours.items():
-        call.__name__ = name
+        call.__name__ = call.__qualname__ = name  # which Python's own errors tell of
         call.__doc__ = getattr(vars(module)[name], "__doc__", None)
     return ours
 

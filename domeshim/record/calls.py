@@ -53,11 +53,11 @@ def _attribute(recorder: Immediate, setter: Setter) -> Call:
     note = recorder.rare.append
 
     def rarely(*values: float) -> None:
-        values = values[:most]
+        found = [scale * v + offset for v in values[:most]]
         note(None)
         mark(len(positions))
-        extend([scale * v + offset for v in values])
-        extend(default[len(values) :])
+        extend(found)
+        extend(default[len(found) :])
 
     def three(x: float, y: float, z: float, *_more: object) -> None:
         mark(len(positions))
@@ -72,16 +72,16 @@ def _attribute(recorder: Immediate, setter: Setter) -> Call:
         extend((s, t, 0.0, 1.0))
 
     def scaled(*values: float) -> None:
-        values = values[:most]
+        found = [scale * v + offset for v in values[:most]]
         mark(len(positions))
-        extend([scale * v + offset for v in values])
-        extend(default[len(values) :])
+        extend(found)
+        extend(default[len(found) :])
 
     def in_bytes(*values: int) -> None:
-        values = values[:most]
+        found = [table[v & 255] for v in values[:most]]
         mark(len(positions))
-        extend([table[v & 255] for v in values])
-        extend(default[len(values) :])
+        extend(found)
+        extend(default[len(found) :])
 
     def plain(*values: float) -> None:
         values = values[:most]
@@ -120,7 +120,10 @@ def _by_arguments(setter: Setter, by_count: dict[int, Call]) -> Call:
     if setter.count is None:
 
         def any_count(*values: Any) -> None:
-            values = tuple(values[0]) if len(values) == 1 else values
+            if len(values) == 1:
+                values = values[0]
+                if len(values) == 1:
+                    values = np.ravel(values).tolist()
             by_count[min(len(values), 4)](*values)
 
         return any_count
@@ -128,33 +131,37 @@ def _by_arguments(setter: Setter, by_count: dict[int, Call]) -> Call:
     if not setter.vector:
         return call
 
-    def vector1(v: Any) -> None:
+    def vector1(v: Any, *_more: object) -> None:
         call(v[0] if isinstance(v, Sequence) or hasattr(v, "__getitem__") else v)
 
-    def vector2(v: Any) -> None:
+    def vector2(v: Any, *_more: object) -> None:
         try:
             call(v[0], v[1])
-        except IndexError:
-            call(*_nested(setter, v))
+        except (IndexError, TypeError):
+            call(*_numbers(setter, v))
 
-    def vector3(v: Any) -> None:
+    def vector3(v: Any, *_more: object) -> None:
         try:
             call(v[0], v[1], v[2])
-        except IndexError:
-            call(*_nested(setter, v))
+        except (IndexError, TypeError):
+            call(*_numbers(setter, v))
 
-    def vector4(v: Any) -> None:
+    def vector4(v: Any, *_more: object) -> None:
         try:
             call(v[0], v[1], v[2], v[3])
-        except IndexError:
-            call(*_nested(setter, v))
+        except (IndexError, TypeError):
+            call(*_numbers(setter, v))
 
     return (vector1, vector2, vector3, vector4)[count - 1]
 
 
-def _nested(setter: Setter, vector: Any) -> list[Any]:
-    """The numbers of a vector that is the one row of a matrix."""
-    numbers: list[Any] = np.ravel(vector).tolist()
+def _numbers(setter: Setter, vector: Any) -> list[Any]:
+    """The numbers of a vector that is a matrix of one row, or an array of floats where bytes are wanted."""
+    len(vector)  # a pointer has none, and no end
+    found = np.ravel(vector)
+    if setter.bytes_as and isinstance(vector, np.ndarray):
+        found = found.astype(np.int64)
+    numbers: list[Any] = found.tolist()
     if len(numbers) != setter.count:
         raise ValueError(f"{setter.count} numbers are wanted, not {vector!r}")
     return numbers

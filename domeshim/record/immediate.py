@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +17,7 @@ from domeshim.record.attributes import DEFAULTS
 from domeshim.record.bitmaps import Bitmap
 from domeshim.record.runs import INDEPENDENT, Block, Run
 
+_ARRAYS: tuple[type, ...] = (np.ndarray, np.matrix)
 FREQUENT = ("color", "normal", "texture0")
 """The attributes that most programs set; of the others Immediate.rare tells."""
 
@@ -51,6 +53,9 @@ class Immediate:
         """The fourth coordinates other than 1, by vertex."""
         self.bitmaps: list[Bitmap] = []
         """Bitmaps at the raster position, drawn before all else that is recorded."""
+        self._frequent = [self.attributes[name].values for name in FREQUENT]
+        self._in_arrays = False
+        """Some block's last vertex was made of arrays of one number: the column of a matrix."""
         self.pending = self._pending()
         """Tells whether GL has yet to see something; it is called before every GL call."""
 
@@ -84,6 +89,8 @@ class Immediate:
             self.block = None
             if block.end == block.first:
                 self.blocks.pop()
+            elif type(self.positions[-3]) in _ARRAYS:
+                self._in_arrays = True
 
     @property
     def has_w(self) -> bool:
@@ -117,8 +124,30 @@ class Immediate:
         self.block.extras[len(self.positions) // 3] = extra
         self.positions.extend((0.0, 0.0, 0.0))
 
+    @property
+    def plain(self) -> bool:
+        """It holds numbers, and not arrays of one number, as far as a look at a few of them tells."""
+        for values in self._frequent:
+            if values and type(values[0]) in _ARRAYS:
+                return False
+        return not self._in_arrays
+
+    def settle(self) -> None:
+        """Make plain numbers of what was recorded. Raises TypeError where something is no number."""
+        for values in (self.positions, *(events.values for _, events in self.used)):
+            values[:] = [_number(value) for value in values]
+
     def take(self) -> Run:
-        """What was recorded since the last time, as arrays; the recorder is empty then."""
+        """What was recorded since the last time, as arrays; the recorder is empty then.
+
+        Raises TypeError where something is no number.
+        """
+        try:
+            return self._run()
+        finally:
+            self.clear()
+
+    def _run(self) -> Run:
         positions = _floats(self.positions).reshape(-1, 3)
         count = len(positions)
         if self.w:
@@ -127,15 +156,13 @@ class Immediate:
             positions = np.hstack([positions, w])
         first = 3 * self.blocks[0].first if self.blocks else 0
         varying = {n: events for n, events in self.used if events.places[-1] > first or " " in n}
-        run = Run(
+        return Run(
             positions,
             {name: _spread(events, count) for name, events in varying.items()},
             tuple(self.blocks),
             tuple((name, events.last) for name, events in varying.items()),
             tuple((name, events.last) for name, events in self.used if name not in varying),
         )
-        self.clear()
-        return run
 
     def clear(self) -> None:
         """Forget what was recorded."""
@@ -147,14 +174,24 @@ class Immediate:
         self.blocks.clear()
         self.bitmaps.clear()
         self.rare.clear()
-        self.extras = False
+        self.extras = self._in_arrays = False
 
 
 def _floats(values: list[float]) -> NDArray[np.float32]:
     try:
         return np.array(values, np.float32)
-    except ValueError:  # arrays of one number among them, which GL's own calls take as well
-        return np.array([float(value) for value in values], np.float32)
+    except (TypeError, ValueError):
+        return np.array([_number(value) for value in values], np.float32)
+
+
+def _number(value: Any) -> float:
+    found = np.ravel(value).tolist()
+    if len(found) == 1 and not isinstance(found[0], str | bytes):
+        try:
+            return float(found[0])
+        except TypeError:
+            pass
+    raise TypeError(f"a vertex and its attributes are numbers, not {value!r}")
 
 
 def _spread(events: Events, count: int) -> NDArray[np.float32]:

@@ -145,6 +145,7 @@ class PanelPixels:
 
     def _spot(self) -> Spot | None:
         context, gl = self._context, self._context.driver
+        context.raster.begin()
         if not gl.integer(_VALID):
             return None
         key = (gl.doubles(_POSITION, 4), self._sight)

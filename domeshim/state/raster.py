@@ -13,6 +13,8 @@ Point = tuple[float, float, float]
 """x, y in the framebuffer's pixels, and depth, 0 to 1."""
 
 _POSITION, _VALID, _RASTER_COLOR, _COLOR, _DEPTH_RANGE = 0x0B07, 0x0B08, 0x0B04, 0x0B00, 0x0B70
+_NEVER_SET = (0.0, 0.0, 0.0, 1.0)
+"""Where GL's own beginning puts the position."""
 _LIGHTING_BIT = 0x40
 _MOST = 4096
 """So many positions are remembered: attribute stacks may bring any of them back."""
@@ -65,16 +67,28 @@ class RasterPoints:
             self._known.clear()
         self._known[self._now() or first] = tuple(points)
 
+    def begin(self) -> None:
+        """Bring a position that was never set, the corner of the program's window, to where that is seen."""
+        gl, pixels = self._driver, self._context.pixels
+        if not pixels.placed or gl.doubles(_POSITION, 4) != _NEVER_SET or not gl.integer(_VALID):
+            return
+        corner = pixels.positions(0.0, 0.0, 0.0)
+        if any(corner):
+            self.move(corner)
+        else:
+            self.put(corner)
+
     def draw(self, call: Callable[[], object]) -> Any:
         """Make a call that draws at the position, and may move it on, in each view; return its answer."""
         self._context.dress(raster=True)
+        self.begin()
         views = self._context.views_now
         if not views:
             return call()
         now = self._now()
         points = self._known.get(now) if now is not None else None
         if points is None or len(points) != len(views):
-            return call()  # nowhere, or where GL's own beginning puts it
+            return call()  # nowhere
         moved: list[Point | None] = []
         result = None
         for view, point in zip(views, points, strict=True):

@@ -130,3 +130,36 @@ def test_the_raster_position_moves_on_as_in_the_window(beside: Beside) -> None:
 
     theirs = beside.monitor(scene).answer
     np.testing.assert_allclose(beside.through_dome(scene, **WIDE).answer, theirs, atol=2e-3)
+
+
+@pytest.mark.parametrize("hud", [False, True])
+@pytest.mark.parametrize("options", [{}, {"method": "cubemap"}, {"stereo": "top-bottom"}], ids=str)
+@pytest.mark.parametrize("write", [False, True])
+def test_without_a_raster_position_it_starts_in_the_windows_corner(
+    beside: Beside, write: bool, options: dict[str, Any], hud: bool
+) -> None:
+    """As the pictures of a ray tracer, say. The bitmaps are white, as GL's own beginning is."""
+
+    def scene(gl: GL, placed: bool) -> None:
+        gl.glClear(gl.GL_COLOR_BUFFER_BIT)
+        gl.glMatrixMode(gl.GL_PROJECTION)
+        if hud:
+            gl.gluPerspective(70, 1, 1, 50)
+            gl.glBegin(gl.GL_POINTS)
+            gl.glVertex3f(0, 0, -2)
+            gl.glEnd()
+            gl.glLoadIdentity()
+        gl.glMatrixMode(gl.GL_MODELVIEW)
+        if placed:
+            gl.glWindowPos3f(0, 0, 0)
+        gl.glColor3f(1, 0, 0.4)
+        for _ in range(2):
+            if write:
+                gl.glBitmap(96, 64, 0, 0, 64, 30, b"\xff" * 768)
+            else:
+                gl.glDrawPixels(96, 80, gl.GL_RGB, gl.GL_UNSIGNED_BYTE, b"\x60\xc0\xf0" * 7680)
+
+    theirs = beside.through_dome(lambda gl: scene(gl, True), **(WIDE | options)).picture
+    ours = beside.through_dome(lambda gl: scene(gl, False), **(WIDE | options)).picture
+    assert (theirs > 0).any(-1).mean() > 0.004
+    beside.assert_equal(theirs, ours, name=f"no position {write} {options} {hud}", wrong=0.003)

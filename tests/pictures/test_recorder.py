@@ -452,10 +452,16 @@ def test_a_programs_mistakes_are_raised(beside: Beside, wrong: Any) -> None:
         lambda gl: gl.glColor3fv([[0.2, 0.5, 1]]),
         lambda gl: gl.glColor3fv(np.array([[0.2, 0.5, 1]])),
         lambda gl: gl.glColor4fv(np.array([[0.2, 0.5, 1, 0.5]], np.float32)),
+        lambda gl: gl.glColor3fv(np.array([[0.2], [0.5], [1]])),
+        lambda gl: gl.glColor(np.array([[0.2, 0.5, 1]])),
+        lambda gl: gl.glColor(np.array([[0.2], [0.5], [1]])),
+        lambda gl: gl.glColor3ubv(np.array([200.7, 100, 255])),
+        lambda gl: gl.glColor3fv((0.2, 0.5, 1), 1),
     ],
+    ids=range(13),
 )
 def test_arguments_are_taken_as_pyopengl_takes_them(beside: Beside, call: Any) -> None:
-    """Integers too many are passed over, bytes wrap, and a matrix of one row is a vector."""
+    """Arguments too many are passed over, bytes wrap, and a matrix of one row or one column is a vector."""
 
     def scene(gl: GL) -> Any:
         looking(gl, depth=False)
@@ -466,6 +472,10 @@ def test_arguments_are_taken_as_pyopengl_takes_them(beside: Beside, call: Any) -
         gl.glTexCoord2f(0, 0, 1)
         gl.glVertex3f(0.5, -0.5, 0, 2)
         gl.glVertex2fv([[0, 0.5]])
+        gl.glEnd()
+        gl.glBegin(gl.GL_QUADS)
+        for corner in np.array([(-0.9, 0.6), (-0.6, 0.6), (-0.6, 0.9), (-0.9, 0.9)]):
+            gl.glVertex2fv(corner.reshape(2, 1), 2)
         gl.glEnd()
         gl.glRectf(0.6, 0.6, 0.9, 0.9, 4)
         return gl.glGetFloatv(gl.GL_CURRENT_COLOR).tolist()
@@ -482,3 +492,53 @@ def test_a_vector_of_the_wrong_length_is_refused(beside: Beside) -> None:
         return ""
 
     beside.equal(scene, wrong=0.004)
+
+
+REFUSALS = (TypeError, ValueError, AttributeError, NotImplementedError, ctypes.ArgumentError)
+"""PyOpenGL's, and ours."""
+
+
+@pytest.mark.parametrize("count", [3, 300])
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        lambda gl: gl.glVertex3f(object(), 1, 2),
+        lambda gl: gl.glColor3f("1", 0, 0),
+        lambda gl: gl.glColor3ub(1.5, 0, 0),
+        lambda gl: gl.glColor3ubv(ctypes.pointer(ctypes.c_float(1))),
+        lambda gl: gl.glColor(ctypes.pointer(ctypes.c_float(1))),
+        lambda gl: gl.glVertex2fv(None),
+    ],
+    ids=range(6),
+)
+def test_what_is_no_number_is_refused_once(beside: Beside, wrong: Any, count: int) -> None:
+    """GL goes on as if that had not been given, and so does what was recorded."""
+
+    def misdrawn(gl: GL) -> None:
+        gl.glBegin(gl.GL_TRIANGLES)
+        try:
+            for _ in range(count):
+                gl.glVertex3f(5, 5, 0)
+            wrong(gl)
+        finally:
+            gl.glEnd()
+        gl.glFlush()  # before which nothing was looked at
+
+    def scene(gl: GL) -> int:
+        looking(gl, depth=False)
+        with pytest.raises(REFUSALS):
+            misdrawn(gl)
+        gl.glColor3f(0, 1, 0.5)
+        gl.glRectf(-0.5, -0.5, 0.5, 0.5)
+        gl.glFlush()
+        return int(gl.glGetError())
+
+    beside.equal(scene, wrong=0.004)
+
+
+def test_a_value_that_is_left_out_is_told_of_by_the_calls_own_name(beside: Beside) -> None:
+    def scene(gl: GL) -> None:
+        with pytest.raises(TypeError, match="glVertex3f"):
+            gl.glVertex3f(1, 2)
+
+    beside.through_dome(scene)
