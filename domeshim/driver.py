@@ -103,6 +103,7 @@ _SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "glDeleteTextures": (None, (_INT, POINTER(c_uint))),
     "glTexParameteri": (None, (_ENUM, _ENUM, _INT)),
     "glTexImage2D": (None, (_ENUM, _INT, _INT, _INT, _INT, _INT, _ENUM, _ENUM, _POINTER)),
+    "glCopyTexImage2D": (None, (_ENUM, _INT, _ENUM, *(_INT,) * 5)),
     "glGenFramebuffers": (None, (_INT, POINTER(c_uint))),
     "glBindFramebuffer": (None, (_ENUM, _UINT)),
     "glDeleteFramebuffers": (None, (_INT, POINTER(c_uint))),

@@ -18,7 +18,9 @@ _TEXTURE_2D, _TEXTURE0 = 0x0DE1, 0x84C0
 _MAG_FILTER, _MIN_FILTER, _WRAP_S, _WRAP_T = 0x2800, 0x2801, 0x2802, 0x2803
 _NEAREST, _MIPMAPS, _TO_EDGE, _GENERATE_MIPMAP = 0x2600, 0x2703, 0x812F, 0x8191
 _TEXTURE_ENV, _ENV_MODE, _REPLACE = 0x2300, 0x2200, 0x1E01
-_TEXTURE_AND_ENABLE_BITS, _T2F_V3F = 0x42000, 0x2A27
+_TEXTURE_AND_ENABLE_BITS, _ENABLE_AND_COLOR_BUFFER_BITS, _T2F_V3F = 0x42000, 0x6000, 0x2A27
+_OF_FRAGMENTS = (0x0B71, 0x0B90, 0x0BC0, 0x0BE2, 0x0BF2, 0x0B60, 0x8458)
+"""The depth, stencil and alpha tests, blending, the logic operation, fog and the sum of colours."""
 
 
 @contextmanager
@@ -52,6 +54,16 @@ def as_texture(driver: Driver, units: int, load: Callable[[], object]) -> Iterat
     finally:
         gl.glDeleteTextures(1, name)
         gl.glPopAttrib()
+
+
+def draw_over(driver: Driver, width: float, height: float) -> None:
+    """Draw the same cells over whatever is there, as a copy of pixels does: no test and no blending."""
+    driver.glPushAttrib(_ENABLE_AND_COLOR_BUFFER_BITS)
+    for capability in _OF_FRAGMENTS:
+        driver.glDisable(capability)
+    driver.glColorMask(1, 1, 1, 1)
+    draw_cells(driver, width, height)
+    driver.glPopAttrib()
 
 
 def draw_cells(driver: Driver, width: float, height: float) -> None:

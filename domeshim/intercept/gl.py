@@ -16,6 +16,7 @@ from domeshim.draw.accumulation import Accumulation
 from domeshim.driver import Driver
 from domeshim.intercept import pixels, raster, reading, recorded, shaders
 from domeshim.intercept.arrays import draw_arrays, draw_elements, draw_range_elements, writes_buffer
+from domeshim.intercept.blitting import blit_framebuffer
 from domeshim.intercept.copying import COPIES, copy_texture
 from domeshim.intercept.dome import Dome
 from domeshim.intercept.lists import (
@@ -68,7 +69,7 @@ _REST = re.compile(r"gl(Fog(|[fi]v?)|PointParameter(|[fi]v?)|ShadeModel)")
 _LOADS = re.compile(r"gl(Load|Mult)(Transpose)?Matrix[df]?")
 _GETS = re.compile(r"glGet(Boolean|Double|Float|Integer)(v|)|glIsEnabled")
 _READ_PIXELS = re.compile(r"glReadPixels(b|d|f|i|s|ub|ui|us)?")
-_READS = re.compile(r"glReadPixels\w*|glCopyTex\w+|glBlitFramebuffer")
+_READS = re.compile(r"glReadPixels\w*|glCopyTex\w+")
 _BINDS_FRAMEBUFFER = re.compile(r"gl(Bind|Delete)Framebuffers?")
 _OF_FRAMEBUFFER = re.compile(r"gl(Draw|Read)Buffers?|gl(?!Blit)\w*Framebuffer\w*")
 _UNIFORMS = re.compile(r"glUniform\w+")
@@ -233,6 +234,7 @@ _SPECIAL: Mapping[str, Maker] = {
     "glDrawPixels": pixels.image,
     "glCopyPixels": pixels.copied,
     "glAccum": kept_in_lists(read),
+    "glBlitFramebuffer": blit_framebuffer,
     "glGetHandle": read,
 }
 _ADDING: Mapping[str, Maker] = {

@@ -8,7 +8,7 @@ from ctypes import c_double, c_float
 from functools import lru_cache, partial
 from typing import TYPE_CHECKING, NamedTuple
 
-from domeshim.draw.flat_pixels import as_texture, draw_cells
+from domeshim.draw.flat_pixels import as_texture, draw_cells, draw_over
 from domeshim.draw.glyphs import Glyphs, draw_bitmaps
 from domeshim.options import Options
 from domeshim.record.bitmaps import Bitmap
@@ -31,6 +31,7 @@ _SLACK = 0.01
 _MOST = 4096
 """So many places are remembered."""
 _WHITE = (1.0, 1.0, 1.0, 1.0)
+_PICTURE = Scene(textures=(Texture(0),))
 
 
 class Spot(NamedTuple):
@@ -55,15 +56,20 @@ class PanelPixels:
     @property
     def due(self) -> bool:
         """What is drawn now belongs on the panel, and only the fixed pipeline's colours with it."""
+        if not self._possible:
+            return False
+        placement = self._context.seen.placement
+        if placement.place != "panel" or (placement.hud and self._options.hud != "panel"):
+            return False
+        return not self._context.scene_now().clip_planes
+
+    @property
+    def _possible(self) -> bool:
+        """What is drawn now would be the dome's, and only the fixed pipeline's colours with it."""
         context = self._context
         if context.bypassed or context.compiling or context.passing:
             return False
-        if context.own.current is not None or context.own.fragments is not None or context.shows_levels:
-            return False
-        placement = context.seen.placement
-        if placement.place != "panel" or (placement.hud and self._options.hud != "panel"):
-            return False
-        return not context.scene_now().clip_planes
+        return context.own.current is None and context.own.fragments is None and not context.shows_levels
 
     def write(self, bitmaps: Sequence[Bitmap]) -> None:
         """Draw bitmaps one after the other, as glBitmap does: on the panel, or in the dome's own pixels."""
@@ -104,6 +110,19 @@ class PanelPixels:
         shape = partial(draw_cells, context.driver, width * zoom_x, height * zoom_y)
         with as_texture(context.driver, context.scene.texture_units, load):
             self._draw(shape, spot, scene, _WHITE)
+        return True
+
+    def picture(self, area: Rectangle, load: Callable[[], object]) -> bool:
+        """Draw an image over an area of the program's window, whatever goes there now; False if it cannot.
+
+        area: a negative width or height flips it; load: as for image.
+        """
+        if not self._possible or self._context.scene_now().clip_planes:
+            return False
+        left, bottom, width, height = area
+        shape = partial(draw_over, self._context.driver, width, height)
+        with as_texture(self._context.driver, self._context.scene.texture_units, load):
+            self._draw(shape, Spot(left, bottom, 0.0), _PICTURE, _WHITE)
         return True
 
     def _draw(self, shape: Callable[[], object], spot: Spot, scene: Scene, colour: tuple[float, ...]) -> None:
