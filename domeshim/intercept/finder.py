@@ -20,6 +20,11 @@ OnImport = Callable[[str, ModuleType], None]
 """Called with the module's name and the module, complete, each time it has been loaded or reloaded."""
 
 
+def being_imported(name: str) -> bool:
+    """The module of this name is in the middle of its import: it has not got its names yet."""
+    return getattr(getattr(sys.modules.get(name), "__spec__", None), "_initializing", False) is True
+
+
 class ImportFinder:
     """A meta path finder that finds nothing itself: it asks the finders behind it and listens.
 
@@ -41,8 +46,7 @@ class ImportFinder:
         sys.meta_path.insert(0, self)
         for name in self._names:
             module = sys.modules.get(name)
-            # A module still in the middle of its import has not got its names yet.
-            if module is not None and not getattr(getattr(module, "__spec__", None), "_initializing", False):
+            if module is not None and not being_imported(name):
                 self._on_import(name, module)
 
     def disarm(self) -> None:

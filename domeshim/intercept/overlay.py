@@ -7,7 +7,7 @@ import sys
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
-from domeshim.intercept.finder import EXTENSIONS
+from domeshim.intercept.finder import EXTENSIONS, being_imported
 from domeshim.intercept.inner import PUBLIC, InnerModules
 from domeshim.intercept.toolkits import WATCHED, Toolkits
 
@@ -39,9 +39,10 @@ class Overlay:
         if name in self._originals or (name.startswith(EXTENSIONS) and _GL not in self._originals):
             return  # an extension that OpenGL.GL itself imports is covered after it
         if name in PUBLIC:
-            if PUBLIC[name] not in sys.modules:
+            within = any(being_imported(other) for other in PUBLIC if other != name)
+            if PUBLIC[name] not in sys.modules and not within:
                 importlib.import_module(PUBLIC[name])  # it comes here in turn
-            return
+            return  # so does another inner module that has only imported this one
         self._cover(name, module)
         for extension in _loaded_extensions() if name == _GL else ():
             self._cover(extension.__name__, extension)

@@ -78,6 +78,8 @@ glutMainLoop()
         "from OpenGL.GL import *\nfrom OpenGL.GL.exceptional import glBegin, glEnd\n"
         "from OpenGL.GLUT import *\nfrom OpenGL.GLUT.freeglut import *\n"
         "from OpenGL.raw.GLUT import glutPostRedisplay",
+        "from OpenGL.raw.GL.VERSION.GL_1_1 import *\nfrom OpenGL.raw.GLU import *\n"
+        "from OpenGL.raw.GLUT import *\nfrom OpenGL.GLUT import glutInit, glutCreateWindow, glutDisplayFunc",
     ],
 )
 def test_a_program_that_imports_inner_modules_is_on_the_dome(tmp_path: Path, imports: str) -> None:
