@@ -176,7 +176,9 @@ class OffscreenWindow(Window):
         self.context = None
 
     def _is_current(self) -> bool:
-        return bool(PLATFORM.GetCurrentContext() == ctypes.cast(self.context, ctypes.c_void_p).value)
+        contexts = self.context, EGL.eglGetCurrentContext()
+        own, current = (ctypes.cast(context, ctypes.c_void_p).value for context in contexts)
+        return own == current
 
     def _buffer(self, size: tuple[int, int]) -> Any:
         attributes = (EGL.EGLint * 5)(EGL.EGL_WIDTH, size[0], EGL.EGL_HEIGHT, size[1], EGL.EGL_NONE)
