@@ -160,6 +160,7 @@ _SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "glBufferData": (None, (_ENUM, c_ssize_t, _POINTER, _ENUM)),
 }
 
+_ONE_INT = c_int * 1
 _EXTENSION_OF = {
     "glBindVertexArray": "GL_ARB_vertex_array_object",
     "glBindFramebuffer": "GL_ARB_framebuffer_object",
@@ -225,17 +226,19 @@ class Driver:
         """What glGetIntegerv says, as so many integers."""
         values = (c_int * count)()
         self.glGetIntegerv(name, values)
-        return tuple(values)
+        return tuple(values[:])  # of ctypes' own arrays tuple() takes several times as long
 
     def integer(self, name: int) -> int:
         """What glGetIntegerv says, for a single value."""
-        return self.integers(name, 1)[0]
+        values = _ONE_INT()
+        self.glGetIntegerv(name, values)
+        return values[0]
 
     def doubles(self, name: int, count: int) -> tuple[float, ...]:
         """What glGetDoublev says, as so many numbers."""
         values = (c_double * count)()
         self.glGetDoublev(name, values)
-        return tuple(values)
+        return tuple(values[:])
 
     def address(self, name: str) -> int:
         """Where the entry point of any name is; 0 where this GL has none."""

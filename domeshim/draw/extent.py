@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import NamedTuple
 
@@ -15,8 +15,7 @@ _AT_ONCE = 2048
 """So many primitives are judged at a time: what is found on the way stays in the processor's cache."""
 
 
-@dataclass(frozen=True)
-class Extent:
+class Extent(NamedTuple):
     """A sphere around a mesh, its longest edge and its shortest line, in the mesh's own units."""
 
     centre: tuple[float, float, float]
@@ -28,8 +27,10 @@ class Extent:
     @classmethod
     def of(cls, positions: NDArray[np.floating], longest: float, shortest_line: float = math.inf) -> Extent:
         """The extent of some vertices whose edges are known. positions: (n, 3 or 4)."""
-        low, high = positions[:, :3].min(0), positions[:, :3].max(0)
-        return replace(cls._of_box(low.tolist(), high.tolist(), longest), shortest_line=shortest_line)
+        (ax, ay, az), (bx, by, bz) = positions[:, :3].min(0).tolist(), positions[:, :3].max(0).tolist()
+        diagonal = math.hypot(bx - ax, by - ay, bz - az)
+        centre = (ax + bx) / 2, (ay + by) / 2, (az + bz) / 2
+        return cls(centre, diagonal / 2, min(longest, diagonal), shortest_line)
 
     @classmethod
     def unknown(cls) -> Extent:
@@ -40,14 +41,9 @@ class Extent:
     def of_few(cls, positions: Sequence[float]) -> Extent:
         """The extent of a few vertices, x, y, z in a row; no edge is longer than their box's diagonal."""
         x, y, z = positions[::3], positions[1::3], positions[2::3]
-        return cls._of_box((min(x), min(y), min(z)), (max(x), max(y), max(z)), math.inf)
-
-    @classmethod
-    def _of_box(cls, low: Sequence[float], high: Sequence[float], longest: float) -> Extent:
-        ax, ay, az = low
-        bx, by, bz = high
-        diagonal = math.dist(low, high)
-        return cls(((ax + bx) / 2, (ay + by) / 2, (az + bz) / 2), diagonal / 2, min(longest, diagonal))
+        ax, ay, az, bx, by, bz = min(x), min(y), min(z), max(x), max(y), max(z)
+        diagonal = math.hypot(bx - ax, by - ay, bz - az)
+        return cls(((ax + bx) / 2, (ay + by) / 2, (az + bz) / 2), diagonal / 2, diagonal)
 
     def surely_seen_from(self, to_eye: Sequence[float], distance: float) -> bool:
         """The mesh is so far away that no edge needs a closer look: quickly said, and False where in doubt.

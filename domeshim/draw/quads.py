@@ -60,12 +60,15 @@ def few_as_quads(
     positions: x, y, z in a row; the count vertices begin at the first, from which the result counts.
     """
     order = _quads_of_mode(mode, count, flat=flat)
-    rounding = _ROUNDING * max(map(abs, positions[3 * first : 3 * (first + count)]), default=0.0)
+    rounding = 0.0
     for quad in range(0, len(order), 4):
-        a, b, c, d = (3 * (first + vertex) for vertex in order[quad : quad + 4])
-        for k in range(3):
-            if not abs(positions[a + k] + positions[c + k] - positions[b + k] - positions[d + k]) <= rounding:
-                return None
+        a, b, c, d = order[quad : quad + 4]
+        for k in (3 * first, 3 * first + 1, 3 * first + 2):
+            off = positions[k + 3 * a] + positions[k + 3 * c] - positions[k + 3 * b] - positions[k + 3 * d]
+            if off:
+                rounding = rounding or _ROUNDING * max(map(abs, positions[3 * first : 3 * (first + count)]))
+                if not abs(off) <= rounding:
+                    return None
     return order or None
 
 

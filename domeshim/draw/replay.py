@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from operator import itemgetter
 
 from domeshim.driver import Driver
 from domeshim.record.immediate import Immediate
@@ -18,6 +19,12 @@ def replay(gl: Driver, recorder: Immediate, setters: Mapping[str, Callable[..., 
 
     Such vertices are a display list's, to be called between the caller's glBegin and glEnd.
     """
+    if recorder.alike:
+        for name, events in recorder.used:
+            setters[name](*events.last)
+        for block in recorder.blocks:
+            _plain_block(gl, recorder.positions, block)
+        return
     changes = _changes(recorder, setters)
     k = 0
     for block in recorder.blocks or [_loose(recorder)]:
@@ -31,6 +38,14 @@ def replay(gl: Driver, recorder: Immediate, setters: Mapping[str, Callable[..., 
             gl.glEnd()
     for _, setter, values in changes[k:-1]:
         setter(*values)
+
+
+def _plain_block(gl: Driver, positions: Sequence[float], block: Block) -> None:
+    vertex, coordinates = gl.glVertex3f, iter(positions[3 * block.first : 3 * block.end])
+    gl.glBegin(block.mode)
+    for x, y, z in zip(coordinates, coordinates, coordinates, strict=True):
+        vertex(x, y, z)
+    gl.glEnd()
 
 
 def _loose(recorder: Immediate) -> Block:
@@ -65,6 +80,6 @@ def _changes(recorder: Immediate, setters: Mapping[str, Callable[..., None]]) ->
         for name, events in recorder.used
         for i, place in enumerate(events.places)
     ]
-    changes.sort(key=lambda change: change[0])
+    changes.sort(key=itemgetter(0))
     changes.append((_NEVER, setters["edge"], []))
     return changes

@@ -30,7 +30,9 @@ def drawing_of(
     before: list[_Call] = []
     varying: list[tuple[Callable[..., None], Events]] = []
     for name, events in recorder.used:
-        if _inside(events, block):
+        if events.places[-1] <= 3 * block.first:
+            before.append((setters[name], events.last))
+        elif _inside(events, block):
             varying.append((setters[name], events))
         elif events.places[0] <= 3 * block.first:
             before.append((setters[name], _value_at(events, block.first)))
@@ -71,6 +73,12 @@ def _draw(
     for setter, value in before:
         setter(*value)
     gl.glBegin(mode)
+    if not varying and not has_w:
+        for corner in order:
+            place = 3 * (first + corner)
+            vertex3(*positions[place : place + 3])
+        gl.glEnd()
+        return
     for corner in order:
         vertex = first + corner
         for setter, events in varying:

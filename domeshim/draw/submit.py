@@ -23,7 +23,6 @@ from domeshim.draw.subdivide import (
     shader_subdivides,
     subdivide,
     subdivision_of,
-    takes_quads,
 )
 from domeshim.draw.upload import Upload, completed
 from domeshim.driver import Driver
@@ -84,13 +83,16 @@ class Submitter:
 
     def _replay_pieces(self, recorder: Immediate, context: DomeContext, subdivision: Subdivision) -> bool:
         """Draw a few vertices to be subdivided by a shader; False where that is not all they need."""
-        kinds = [kind_of(block.mode) for block in recorder.blocks]
-        changes = recorder.rare or not knows_all(recorder)
-        if changes or not shader_subdivides(kinds, context, subdivision):
+        blocks, alike = recorder.blocks, recorder.alike
+        kinds = [kind_of(block.mode) for block in blocks]
+        if recorder.rare or not shader_subdivides(kinds, context, subdivision):
             return False
-        by_quads = "triangles" in kinds and not recorder.has_w and takes_quads(context, subdivision)
+        if not alike and not knows_all(recorder):
+            return False
+        # Nothing is split here: no w changes, so parallelograms may be quads.
+        by_quads = "triangles" in kinds and not recorder.has_w and subdivision.method == "tessellate"
         flat = by_quads and is_flat(context)
-        for block, kind in zip(recorder.blocks, kinds, strict=True):
+        for block, kind in zip(blocks, kinds, strict=True):
             order = None
             if kind == "triangles" and by_quads:
                 count = block.end - block.first
@@ -98,7 +100,10 @@ class Submitter:
             patch = None if kind == "points" else patch_for("quads" if order else kind, subdivision)
             mode = POINTS if patch is None else patch.mode
             context.draw(drawing_of(self._driver, recorder, self._setters, block, mode, order), patch)
-        self.skip(recorder)
+        if alike:
+            recorder.clear()  # all is current already
+        else:
+            self.skip(recorder)
         return True
 
     def skip(self, recorder: Immediate) -> None:
@@ -166,5 +171,5 @@ def _subdivision_of_few(recorder: Immediate, context: DomeContext) -> Subdivisio
     """What a few vertices need to keep the tolerance."""
     if not recorder.blocks or recorder.extras or not context.subdividing.minds_edges:
         return None
-    extent = Extent.unknown() if recorder.has_w else Extent.of_few(recorder.positions)
-    return context.subdividing.subdivision(extent)
+    extent = Extent.unknown() if recorder.w else Extent.of_few(recorder.positions)
+    return context.subdividing.needed(extent)

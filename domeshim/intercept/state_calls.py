@@ -32,6 +32,8 @@ _TOUCHED = frozenset(
 )
 """What the dome changes while it draws: before the program asks for one of these it is put back."""
 _SCISSOR_TEST = 0x0C11
+_SEEN = {**GROUP_OF, _SCISSOR_TEST: ""}
+"""Capabilities that mean something to the dome, with their groups."""
 _LINE = 0x1B01
 _CURRENT_COLOR, _RENDER, _TEXTURE0 = 0x0B00, 0x1C00, 0x84C0
 
@@ -206,14 +208,15 @@ def switch(dome: Dome, original: Call) -> Call:
             if capability == _SCISSOR_TEST:
                 context.viewport_changed()
             else:
-                context.scene.stale.add(GROUP_OF[capability])
+                context.scene.stale.add(_SEEN[capability])
         return original(capability)
 
     kept = kept_in_lists(lambda _dome, _original: switch)(dome, original)
 
     def call(capability: int, *args: Any) -> Any:
-        seen = capability in GROUP_OF or capability == _SCISSOR_TEST
-        return kept(capability) if seen else original(capability, *args)
+        if capability not in _SEEN:
+            return original(capability, *args)
+        return switch(capability) if dome.building is None else kept(capability)
 
     return call
 

@@ -71,6 +71,7 @@ class WindowDome:
                 "DOME_MAX_TURN: no gluLookAt tells where the program looks; its view turns freely"
             )
         context.settle()
+        context.scene.stale.add("textures")  # the next picture may do without
         with drawing_to(context.driver, context.window()):
             self.rim.draw(context.frame, context.lens.rim)
             self.card.draw(context.frame)

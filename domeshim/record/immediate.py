@@ -6,7 +6,7 @@ a colour set once costs once; blocks that follow each other become one draw.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -43,6 +43,7 @@ class Immediate:
         self.positions: list[float] = []
         """x, y, z of each vertex."""
         self.attributes = {name: Events(len(default)) for name, default in DEFAULTS.items()}
+        self._frequent = tuple((name, self.attributes[name]) for name in FREQUENT)
         self.block: Block | None = None
         self.blocks: list[Block] = []
         self.rare: list[None] = []
@@ -53,7 +54,6 @@ class Immediate:
         """The fourth coordinates other than 1, by vertex."""
         self.bitmaps: list[Bitmap] = []
         """Bitmaps at the raster position, drawn before all else that is recorded."""
-        self._frequent = [self.attributes[name].values for name in FREQUENT]
         self._in_arrays = False
         """Some block's last vertex was made of arrays of one number: the column of a matrix."""
         self.pending = self._pending()
@@ -67,8 +67,11 @@ class Immediate:
     @property
     def used(self) -> list[tuple[str, Events]]:
         """The attributes that were set, by name."""
-        names = self.attributes if self.rare else FREQUENT
-        return [(name, self.attributes[name]) for name in names if self.attributes[name].places]
+        return [one for one in self._possible if one[1].places]
+
+    @property
+    def _possible(self) -> Iterable[tuple[str, Events]]:
+        return self.attributes.items() if self.rare else self._frequent
 
     @property
     def materials(self) -> bool:
@@ -91,6 +94,14 @@ class Immediate:
                 self.blocks.pop()
             elif type(self.positions[-3]) in _ARRAYS:
                 self._in_arrays = True
+
+    @property
+    def alike(self) -> bool:
+        """Every vertex has the same attributes, and there is nothing else beside its place."""
+        if not self.blocks or self.extras or self.w:
+            return False
+        first = 3 * self.blocks[0].first
+        return not any(events.places and events.places[-1] > first for _, events in self._possible)
 
     @property
     def has_w(self) -> bool:
@@ -127,8 +138,8 @@ class Immediate:
     @property
     def plain(self) -> bool:
         """It holds numbers, and not arrays of one number, as far as a look at a few of them tells."""
-        for values in self._frequent:
-            if values and type(values[0]) in _ARRAYS:
+        for _, events in self._frequent:
+            if events.values and type(events.values[0]) in _ARRAYS:
                 return False
         return not self._in_arrays
 
@@ -166,7 +177,7 @@ class Immediate:
 
     def clear(self) -> None:
         """Forget what was recorded."""
-        for _, events in self.used:
+        for _, events in self._possible:
             events.places.clear()
             events.values.clear()
         self.positions.clear()

@@ -12,7 +12,7 @@ INDEPENDENT = {0: 1, 1: 2, 4: 3, 7: 4}
 """Modes whose primitives share no vertices, with their size: points, lines, triangles, quads."""
 
 
-@dataclass
+@dataclass(slots=True)
 class Block:
     """One glBegin..glEnd: its mode, its vertices, and the calls made inside that are no attributes."""
 

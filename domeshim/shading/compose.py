@@ -266,7 +266,7 @@ def _light(draft: Draft, light: Light, surface: str) -> None:
     if light.kind != "directional":
         draft.need("light/positional")
     draft.need(f"light/{light.kind}")
-    draft.add(f"light{light.kind.capitalize()}({light.index}, eye, viewer, {surface});")
+    draft.add(f"light{light.kind.capitalize()}({light.number}, eye, viewer, {surface});")
 
 
 _TEXGEN = {

@@ -49,24 +49,21 @@ class Patch(NamedTuple):
         return 0x0001 if self.kind == "lines" else 0x0004
 
 
-@dataclass(frozen=True)
-class Light:
+class Light(NamedTuple):
     """One enabled light by its number and kind."""
 
-    index: int
+    number: int
     kind: Literal["directional", "positional", "spot"]
 
 
-@dataclass(frozen=True)
-class ColorMaterial:
+class ColorMaterial(NamedTuple):
     """GL_COLOR_MATERIAL: which of the material's colours follow the vertex colour, and on which face."""
 
     face: Face
     follows: tuple[Literal["ambient", "diffuse", "specular", "emission"], ...]
 
 
-@dataclass(frozen=True)
-class Lighting:
+class Lighting(NamedTuple):
     """What the enabled lighting needs."""
 
     lights: tuple[Light, ...] = ()
@@ -78,8 +75,7 @@ class Lighting:
     """The face whose material comes with each vertex, as texture coordinates of MATERIAL_UNITS."""
 
 
-@dataclass(frozen=True)
-class Texture:
+class Texture(NamedTuple):
     """One enabled texture unit: what makes each of s, t, r, q (None: the vertex's own), and a matrix."""
 
     unit: int

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
-from dataclasses import replace
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any
 
@@ -28,7 +27,6 @@ from domeshim.state.perspective import Matrix
 from domeshim.state.placement import MainView, Placement, Placer
 from domeshim.state.raster import RasterPoints
 from domeshim.state.scene import GROUPS, SceneState
-from domeshim.state.scissor import edges_of
 from domeshim.state.subdividing import Subdividing
 from domeshim.state.views import View
 from domeshim.state.whereabouts import MODELVIEW, PROJECTION, Seen, Whereabouts
@@ -255,10 +253,8 @@ class DomeContext:
             self.go_on()
             self._patch, self._at_raster, self._flat = None, False, scene
             seen, _ = self._look()
-            around = self.pixels.around(seen.viewport)
-            placement, edges = self.placer.panel(around, self.frame), edges_of(seen.scissor, around)
-            self._dresser.put_on(replace(seen, placement=placement, edges=edges), scene, None, raster=False)
-        viewport = self.pixels.around(self.seen.viewport)
+            self._dresser.put_on(self.pixels.flat(seen)[0], scene, None, raster=False)
+        _, viewport = self.pixels.flat(self.seen)
         for view in self.views_now or (None,):
             if view is not None:
                 self.worn.show(view)

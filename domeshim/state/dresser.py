@@ -3,21 +3,38 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from domeshim.options import Options
 from domeshim.shading.recipe import Levels, Patch, Scene
 from domeshim.state.views import Dressing, View, Worn
-from domeshim.state.wardrobe import Look, Wardrobe
+from domeshim.state.wardrobe import Look, Outfit, Wardrobe
 from domeshim.state.whereabouts import Seen
 
 if TYPE_CHECKING:
+    from domeshim.draw.canvas import Canvas
     from domeshim.state.context import DomeContext
 
 _FOUR = (
     "OpenGL 2: at most four of the clip planes and the viewport's and scissor's edges cut at a time; "
     "the last do not"
 )
+
+
+_SHADE_MODEL, _FLAT = 0x0B54, 0x1D00
+_MOST = 64
+"""So many dressings are remembered."""
+
+
+class _Chosen(NamedTuple):
+    """A dressing with one of the dome's programs, and what it was chosen for."""
+
+    seen: Seen
+    """Kept, as the look keeps the scene: dressings are found by their identity."""
+    canvas: Canvas
+    look: Look
+    outfit: Outfit
+    dressing: Dressing
 
 
 class Dresser:
@@ -28,18 +45,19 @@ class Dresser:
         self._options = options
         self.wardrobe = Wardrobe(context.driver, options, context.lens, context.orientation, context.frame)
         self.worn = Worn(context.driver)
+        self._known: dict[tuple[object, ...], _Chosen] = {}
 
     def put_on(self, seen: Seen, scene: Scene, patch: Patch | None, *, raster: bool) -> None:
         """Put on what a draw of this scene needs; patch, raster: as for DomeContext.dress."""
         context, placement = self._context, seen.placement
         canvas, own = context.canvas, context.own
-        look = self._look(seen, scene, patch, raster=raster)
         if placement.hud and self._options.flat_hud:
             own.leave_straight()
             context.undress()
             canvas.settle(deep=True, straight=True)
             self._wear(Dressing(0, (), tuple(self._flat_views(seen))), seen)
         elif own.current is not None:
+            look = self._look(seen, scene, patch, raster=raster, flat=False)
             self._say_uncut(seen, scene)
             if context.shows_levels:
                 context.say_once("DOME_DEBUG=levels: what the program's own GLSL draws keeps its colours")
@@ -48,17 +66,33 @@ class Dresser:
             views = self.wardrobe.views(look, canvas.views)
             self._wear(Dressing(0, enables, views, own.current, canvas.framebuffer, cut.planes), seen)
         else:
-            outfit = self.wardrobe.outfit(look)
-            program, views = outfit.program, self.wardrobe.views(look, canvas.views)
-            self._wear(
-                Dressing(program.name, outfit.enables, views, program, canvas.framebuffer, outfit.planes),
-                seen,
-            )
+            chosen = self._chosen(seen, scene, patch, raster=raster)
+            outfit = chosen.outfit
+            if chosen.dressing is self.worn.dressing:
+                return
+            self._wear(chosen.dressing, seen)
             if outfit.planes and scene.clip_planes:
-                program.set("domePlanes", self.worn.clip_planes.own)
+                outfit.program.set("domePlanes", self.worn.clip_planes.own)
             if outfit.left_out:
                 context.say_once(_FOUR)
-            self.wardrobe.send(outfit, look, context.subdividing.tolerance)
+            self.wardrobe.send(outfit, chosen.look, context.subdividing.tolerance)
+
+    def _chosen(self, seen: Seen, scene: Scene, patch: Patch | None, *, raster: bool) -> _Chosen:
+        """One of the dome's programs; programs switch to and fro between the same few."""
+        context, canvas = self._context, self._context.canvas
+        flat = patch is not None and context.driver.integer(_SHADE_MODEL) == _FLAT
+        key = id(seen), id(scene), patch, raster, flat
+        known = self._known.get(key)
+        if known is not None and known.canvas is canvas and context.own.fragments is None:
+            return known
+        look = self._look(seen, scene, patch, raster=raster, flat=flat)
+        outfit = self.wardrobe.outfit(look)
+        program, views = outfit.program, self.wardrobe.views(look, canvas.views)
+        dressing = Dressing(program.name, outfit.enables, views, program, canvas.framebuffer, outfit.planes)
+        if len(self._known) >= _MOST:
+            self._known.clear()
+        self._known[key] = found = _Chosen(seen, canvas, look, outfit, dressing)
+        return found
 
     def _say_uncut(self, seen: Seen, scene: Scene) -> None:
         """Say what of the program's does not cut what its own GLSL draws."""
@@ -76,13 +110,13 @@ class Dresser:
         """Give GL back to the program just as it left it."""
         self.worn.take_off(self._programs_own)
 
-    def _look(self, seen: Seen, scene: Scene, patch: Patch | None, *, raster: bool) -> Look:
+    def _look(self, seen: Seen, scene: Scene, patch: Patch | None, *, raster: bool, flat: bool) -> Look:
         cut = patch is not None and patch.method == "cpu"
         handed = None if cut else patch
         if not self._context.shows_levels:
-            return Look(seen.placement, scene, seen.edges, handed, raster, self._context.own.fragments)
+            return Look(seen.placement, scene, seen.edges, handed, raster, flat, self._context.own.fragments)
         levels: Levels = "cut" if cut else "whole" if handed is None else "patch"
-        return Look(seen.placement, scene, seen.edges, handed, raster, None, levels)
+        return Look(seen.placement, scene, seen.edges, handed, raster, flat, None, levels)
 
     def _flat_views(self, seen: Seen) -> Iterator[View]:
         """The program's window, undistorted, in each eye's part of the frame."""
@@ -95,7 +129,7 @@ class Dresser:
     def _wear(self, dressing: Dressing, seen: Seen) -> None:
         if dressing.uniforms is not None:
             self._context.canvas.drawn(seen.placement.depth)
-        self.worn.put_on(dressing, View(seen.viewport, seen.scissor), self._programs_own)
+        self.worn.put_on(dressing, seen.view, self._programs_own)
 
     @property
     def _programs_own(self) -> int:

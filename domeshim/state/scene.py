@@ -72,7 +72,7 @@ class SceneState:
         self._normals: Literal["plain", "rescaled", "unit"] = "plain"
         self._textures: tuple[Texture, ...] = ()
         self._units: dict[int, Texture] = {}
-        """As each unit is, or would be, while a texture is enabled; without those not asked for yet."""
+        """Each unit that had a texture since textures were stale, as it is or would be."""
         self._rest = Scene()
         self._scene: Scene | None = None
         self._scenes: dict[tuple[object, ...], Scene] = {}
@@ -174,10 +174,13 @@ class SceneState:
 
     def _unit_texture(self, unit: int) -> list[Texture]:
         gl = self._driver
-        if unit not in self.read_units and not any(gl.glIsEnabled(target) for target in gl.texture_targets):
+        known = self._units.get(unit)
+        if known is not None and known == Texture(unit):
+            return [known]  # its coordinates cost less than another program, enabled or not
+        if unit not in self.read_units and not any(map(gl.glIsEnabled, gl.texture_targets)):
             return []
-        if unit in self._units:
-            return [self._units[unit]]
+        if known is not None:
+            return [known]
         s, t, r, q = (self._texgen(GL_TEXTURE_GEN_S + axis, 0x2000 + axis) for axis in range(4))
         matrix = (c_float * 16)()
         gl.glGetFloatv(_TEXTURE_MATRIX, matrix)

@@ -51,14 +51,16 @@ class Subdividing:
 
     def subdivision(self, extent: Extent) -> Subdivision | None:
         """What a mesh needs to keep the tolerance: nothing, pieces of its edges, or to be split first."""
-        if not self.minds_edges:
-            return None
+        return self.needed(extent) if self.minds_edges else None
+
+    def needed(self, extent: Extent) -> Subdivision | None:
+        """The same where minds_edges was asked already."""
         placement = self._context.seen.placement
         if placement.hud and self._options.hud != "panel":
             return None
         to_eye = self._to_eye(placement)
         needed = self._needed(extent, to_eye)
-        if not self._may_vanish(extent, to_eye):
+        if extent.shortest_line == math.inf or not self._may_vanish(extent, to_eye):
             return needed
         if needed is None:
             needed = Subdivision(None, self.tolerance.limit(math.pi), split=False)
@@ -66,7 +68,7 @@ class Subdividing:
 
     def _may_vanish(self, extent: Extent, to_eye: Sequence[float]) -> bool:
         """Some line may be shorter than a pixel, and the driver would leave it out."""
-        if extent.shortest_line == math.inf or self._context.own.current is not None:
+        if self._context.own.current is not None:
             return False
         return self._leaves_out_short and extent.smallest_line(to_eye) < _SHORT * self.tolerance.pixel
 
@@ -92,16 +94,16 @@ class Subdividing:
         return Patch("lines", "geometry", lengthened=self._leaves_out_short)
 
     def _needed(self, extent: Extent, to_eye: Sequence[float]) -> Subdivision | None:
-        own = self._context.own.current
-        if extent.surely_seen_from(to_eye, self.tolerance.far):
+        tolerance, own = self.tolerance, self._context.own.current
+        if extent.surely_seen_from(to_eye, tolerance.far):
             return None
         angle = extent.largest_angle(to_eye)
         behind = math.pi
-        if self.tolerance.least < 1:
-            behind = extent.least_angle_from(self.tolerance.aft, to_eye)
+        if tolerance.least < 1:
+            behind = extent.least_angle_from(tolerance.aft, to_eye)
         if own is None:
-            return self.tolerance.subdivision(angle, behind, self._context.scene_now)
-        if self.tolerance.broken_by(angle, behind) and not own.own_matrices:
+            return tolerance.subdivision(angle, behind, self._context.scene_now)
+        if tolerance.broken_by(angle, behind) and not own.own_matrices:
             self._context.say_once(
                 "long edges drawn by the program's own GLSL stay straight: it is not subdivided"
             )

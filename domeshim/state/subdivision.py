@@ -104,6 +104,7 @@ class Tolerance:
         self.least = min(least, 1.0) if lens.singular else 1.0
         """The same as the viewer sees it, where it makes edges be cut finer, else 1."""
         self._limits: dict[float, Limit] = {}
+        self._widest_tessellated = self.limit(min(_WIDEST, _MOST_PIECES / self.detail))
         quick = not self._always and self.least == 1
         whole = min(1 / self.detail, math.pi / 2) if quick else 0.0
         self.far = 0.5 / math.tan(whole / 2) if whole else math.inf
@@ -158,10 +159,10 @@ class Tolerance:
 
     def _widest(self, scene: Callable[[], Scene]) -> Limit:
         """The limit to edges that the method draws well."""
-        most = 1
         if self._method == "tessellate":
-            most = _MOST_PIECES
-        elif self._method == "geometry":
+            return self._widest_tessellated
+        most = 1
+        if self._method == "geometry":
             from domeshim.shading.geometry import most_pieces  # noqa: PLC0415 - only this method pays
 
             most = most_pieces(scene(), "triangles")

@@ -71,12 +71,13 @@ class Worn:
             old = Dressing(0, (), ())
             self._own = self._view = own
         self.dressing = new
-        for capability in old.enables:
-            if capability not in new.enables:
-                gl.glDisable(capability)
-        for capability in new.enables:
-            if capability not in old.enables:
-                gl.glEnable(capability)
+        if new.enables != old.enables:
+            for capability in old.enables:
+                if capability not in new.enables:
+                    gl.glDisable(capability)
+            for capability in new.enables:
+                if capability not in old.enables:
+                    gl.glEnable(capability)
         if new.program != old.program:
             gl.glUseProgram(new.program or program)
         if new.planes != old.planes:
@@ -121,6 +122,8 @@ class Worn:
 
     def _look_at(self, view: View) -> None:
         gl, old = self._driver, self._view
+        if view is old:
+            return
         self._view = view
         if view.viewport != old.viewport:
             gl.glViewport(*view.viewport)

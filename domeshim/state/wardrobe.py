@@ -27,7 +27,6 @@ if TYPE_CHECKING:
     from domeshim.shading.pieces import Stages
 
 _VERTEX_PROGRAM_TWO_SIDE, _PROGRAM_POINT_SIZE, _RASTERIZER_DISCARD = 0x8643, 0x8642, 0x8C89
-_SHADE_MODEL, _FLAT = 0x0B54, 0x1D00
 _PIECE = {f"dome{name.capitalize()}": number for name, number in PIECE_ATTRIBUTES.items()}
 _MOST = 1000
 """So many outfits are remembered."""
@@ -41,6 +40,8 @@ class Look(NamedTuple):
     edges: Edges
     patch: Patch | None
     raster: bool
+    flat: bool
+    """One vertex of each primitive gives its colour; asked where that makes a difference."""
     fragments: FragmentStage | None
     levels: Levels | None = None
 
@@ -89,10 +90,9 @@ class Wardrobe:
     def outfit(self, look: Look) -> Outfit:
         """What to put on for a draw."""
         placement, edges = look.placement, look.edges
-        flat = look.patch is not None and self._driver.integer(_SHADE_MODEL) == _FLAT
         hidden = self.hides(placement)
         if look.fragments is not None:
-            return self._make(look, flat=flat, hidden=hidden)
+            return self._make(look, hidden=hidden)
         key = (
             id(look.scene),
             placement.place,
@@ -101,14 +101,14 @@ class Wardrobe:
             look.patch,
             look.raster,
             look.levels,
-            flat,
+            look.flat,
             hidden,
         )
         found = self._outfits.get(key)
         if found is None:
             if len(self._outfits) >= _MOST:
                 self._outfits.clear()
-            found = self._outfits[key] = self._make(look, flat=flat, hidden=hidden)
+            found = self._outfits[key] = self._make(look, hidden=hidden)
         return found
 
     def hides(self, placement: Placement) -> bool:
@@ -149,8 +149,8 @@ class Wardrobe:
         for name, values in self._uniforms(outfit.mapping, look, tolerance):
             outfit.program.set(name, values)
 
-    def _make(self, look: Look, *, flat: bool, hidden: bool) -> Outfit:
-        recipe = self._recipe(look, flat=flat, hidden=hidden)
+    def _make(self, look: Look, *, hidden: bool) -> Outfit:
+        recipe = self._recipe(look, hidden=hidden)
         programs = self._programs if look.fragments is None else look.fragments.programs
         program = programs.get(recipe)
         if program is None:
@@ -159,7 +159,7 @@ class Wardrobe:
         left_out = recipe.legacy and recipe.left_out
         return Outfit(program, recipe.mapping, look.scene, enables, _planes(recipe), left_out)
 
-    def _recipe(self, look: Look, *, flat: bool, hidden: bool) -> Recipe:
+    def _recipe(self, look: Look, *, hidden: bool) -> Recipe:
         place = look.placement.place
         paper = self._options.method == "paper" and place != "panel"
         mapping = Mapping(
@@ -177,7 +177,7 @@ class Wardrobe:
             raster=None if not look.raster else "nowhere" if hidden else "point",
         )
         scene = look.scene if look.levels is None else look.scene.uncoloured
-        return Recipe(mapping, scene, look.patch, look.levels, flat=flat, legacy=self._driver.legacy)
+        return Recipe(mapping, scene, look.patch, look.levels, flat=look.flat, legacy=self._driver.legacy)
 
     def _build(self, recipe: Recipe, fragments: FragmentStage | None) -> Program:
         shaders = fragments.shaders if fragments else ()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -11,6 +12,7 @@ from domeshim.state.own_programs import OwnPrograms
 from domeshim.state.perspective import Matrix
 from domeshim.state.placement import Placement, Placer
 from domeshim.state.scissor import Edges, edges_of
+from domeshim.state.views import View
 from domeshim.window.frame import Frame, Rectangle
 
 MODELVIEW, PROJECTION = 0x1700, 0x1701
@@ -29,6 +31,11 @@ class Seen:
     """What the scissor leaves of the viewport."""
     projection: Matrix
     placement: Placement
+
+    @cached_property
+    def view(self) -> View:
+        """Viewport and scissor as a view."""
+        return View(self.viewport, self.scissor)
 
 
 class Whereabouts:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -11,7 +12,8 @@ from domeshim.draw.over import way_cleared
 from domeshim.options import Options
 from domeshim.state.perspective import planar
 from domeshim.state.raster import Point
-from domeshim.state.scissor import Edges, in_view
+from domeshim.state.scissor import Edges, edges_of, in_view
+from domeshim.state.whereabouts import Seen
 from domeshim.window.frame import Rectangle
 
 if TYPE_CHECKING:
@@ -37,13 +39,23 @@ class WindowPixels:
         """The last answer, and what it depends on."""
         self._shown: dict[object, Shown] = {}
         """The last answers, by what they depend on."""
+        self._flat: tuple[Seen, Seen, Rectangle] | None = None
+        """What was seen last, and what was made of it."""
 
     @property
     def placed(self) -> bool:
         """A place in the program's window is another one in the frame."""
         return not self._context.compiling and not self._context.bypassed
 
-    def around(self, viewport: Rectangle) -> Rectangle:
+    def flat(self, seen: Seen) -> tuple[Seen, Rectangle]:
+        """Where things of the window's own pixels belong, and in which viewport: that of all the window."""
+        if self._flat is None or self._flat[0] is not seen:
+            around, frame = self._around(seen.viewport), self._context.frame
+            placement, edges = self._context.placer.panel(around, frame), edges_of(seen.scissor, around)
+            self._flat = seen, replace(seen, placement=placement, edges=edges), around
+        return self._flat[1:]
+
+    def _around(self, viewport: Rectangle) -> Rectangle:
         """The program's window, and what of a viewport is beyond it."""
         x, y, width, height = viewport
         whole_width, whole_height = self._context.frame.program_size

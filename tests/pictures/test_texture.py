@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from domeshim.shading.recipe import Texture
 from tests.pictures.beside import DISTANCE, GL, Beside, checks, looking, sphere
 
 
@@ -235,3 +236,30 @@ def test_point_parameters(beside: Beside) -> None:
         gl.glEnd()
 
     beside.equal(scene, name="point parameters")
+
+
+def switched(gl: GL) -> None:
+    looking(gl)
+    checks(gl)
+    for k in range(8):
+        (gl.glDisable if k % 2 else gl.glEnable)(gl.GL_TEXTURE_2D)
+        gl.glColor3f(1, k / 8, 0.5)
+        gl.glBegin(gl.GL_QUADS)
+        for s, t in ((0, 0), (1, 0), (1, 1), (0, 1)):
+            gl.glTexCoord2f(s, t)
+            gl.glVertex3f((k % 4 + s) / 2 - 1, (k // 4 + t) / 2 - 0.5, 0)
+        gl.glEnd()
+
+
+def test_a_texture_that_is_switched_on_and_off_takes_one_program(beside: Beside) -> None:
+    beside.equal(switched)
+    with beside.window() as finish:
+        switched(beside.dome)
+        context = beside._dome.context
+        assert context is not None
+        assert [recipe.scene.textures for recipe in context.programs] == [(Texture(0),)]
+        finish()
+        looking(beside.dome)
+        beside.dome.glRectf(-0.5, -0.5, 0.5, 0.5)
+        finish()
+        assert [recipe.scene.textures for recipe in context.programs] == [(Texture(0),), ()]
