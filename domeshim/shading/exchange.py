@@ -10,7 +10,17 @@ from ctypes import c_char_p, c_int, c_uint, create_string_buffer
 from dataclasses import dataclass
 
 from domeshim.driver import Driver
-from domeshim.shading.own import RIM_DISTANCE, Landing, Rewritten, Stage, has_main, rewritten, uses_projection
+from domeshim.shading.own import (
+    RIM_DISTANCE,
+    Landing,
+    Rewritten,
+    Stage,
+    asks_place,
+    has_main,
+    placed,
+    rewritten,
+    uses_projection,
+)
 from domeshim.shading.program import Uniforms
 from domeshim.state.perspective import Matrix
 
@@ -20,7 +30,7 @@ _FRAGMENT, _SHADER_TYPE, _COMPILE_STATUS, _LINK_STATUS = 0x8B30, 0x8B4F, 0x8B81,
 _ATTACHED_SHADERS, _ACTIVE_UNIFORMS, _SOURCE_LENGTH = 0x8B85, 0x8B86, 0x8B88
 _OURS = {
     *("domeMode", "domeFromClip", "domeLens", "domeDepth", "domeFace", "domeEye", "domeRim", "domeEdges"),
-    *("domeTurn", "domeSeat", "domeProjector"),
+    *("domeTurn", "domeSeat", "domeProjector", "domeWindow"),
     "gl_ClipPlane",
 }
 
@@ -80,22 +90,37 @@ def link(driver: Driver, program: int, landing: Landing, original: Callable[[], 
         texts = (_text(driver, name) for name, kind in attached if alone and kind == _FRAGMENT)
         return Linked(None, fragments=tuple(texts))
     own_matrices = not any(uses_projection(s.text) for s in shaders)
+    told = _asking(driver, attached) if last.stage != "geometry" else {}
+    attempts = [(candidate, told) for candidate in rewritten(last.text, last.stage, landing)]
+    if told:
+        window = {name: placed(text) for name, text in told.items()}
+        tells = rewritten(last.text, last.stage, landing, tells=True)
+        attempts = [*((candidate, window) for candidate in tells), *attempts]
     try:
-        for candidate in rewritten(last.text, last.stage, landing):
-            if _links(driver, program, last, candidate):
+        for candidate, fragments in attempts:
+            if _links(driver, program, {last.name: candidate.text, **fragments}):
                 own = OwnProgram(driver, program, last.text, candidate, own_matrices=own_matrices)
                 return Linked(own)
     finally:
-        _compile(driver, last.name, last.text)
+        for name, text in ((last.name, last.text), *told.items()):
+            _compile(driver, name, text)
     original()
     linked = _program_value(driver, program, _LINK_STATUS)
     return Linked(None, "the driver refuses it with the dome's lines" if linked else None)
 
 
-def _links(driver: Driver, program: int, shader: _Shader, candidate: Rewritten) -> bool:
-    _compile(driver, shader.name, candidate.text)
-    if not _shader_value(driver, shader.name, _COMPILE_STATUS):
-        return False
+def _asking(driver: Driver, attached: list[tuple[int, int]]) -> dict[int, str]:
+    """The texts of the fragment shaders that ask for a fragment's place in the window, by name."""
+    texts = {name: _text(driver, name) for name, kind in attached if kind == _FRAGMENT}
+    return {name: text for name, text in texts.items() if asks_place(text)}
+
+
+def _links(driver: Driver, program: int, texts: Mapping[int, str]) -> bool:
+    """The program links with these texts in some of its shaders."""
+    for name, text in texts.items():
+        _compile(driver, name, text)
+        if not _shader_value(driver, name, _COMPILE_STATUS):
+            return False
     driver.glLinkProgram(program)
     return bool(_program_value(driver, program, _LINK_STATUS))
 

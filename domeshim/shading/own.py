@@ -46,6 +46,8 @@ void domeEmit() {
 }
 #define EmitVertex domeEmit
 """
+_PLACE = re.compile(r"\bgl_FragCoord\b")
+_PLACE_REDECLARED = re.compile(r"\b(in|vec4)\s+gl_FragCoord\b")
 _CLIP_VERTEX = "vec4 domeClipVertex;\n#define gl_ClipVertex domeClipVertex\n"
 """What is above it keeps GL's own."""
 _NAMES = re.compile(
@@ -96,31 +98,59 @@ def has_main(text: str) -> bool:
     return bool(_MAIN.search(_bare(text)))
 
 
-def rewritten(text: str, stage: Stage, landing: Landing) -> tuple[Rewritten, ...]:
+def rewritten(text: str, stage: Stage, landing: Landing, *, tells: bool = False) -> tuple[Rewritten, ...]:
     """The shader's text ending on the dome, best first: what a driver refuses of one, the next does without.
 
     The first is raised to a GLSL with clip distances, if there is any; the last stays at the program's.
+    tells: fragment shaders want to know the clip coordinates that it leaves.
     """
-    bare = _bare(text)
-    version = _VERSION.search(bare)
-    if version is None:
-        whole, number, profile = text, 110, ""
-    else:
-        # A directive may stand below comments; the text keeps its lines.
-        whole = text[: version.start()] + text[version.end() :]
-        number, profile = int(version[1]), version[2]
-    own_version = version[0].strip() if version is not None else "#version 110"
-    if profile == "es" or number == 100:
+    own_version, whole = _parted(text)
+    number = _number(own_version)
+    if number == 100 or own_version.endswith("es"):
         return (_joined(own_version, whole, stage, landing, cut=False),)
     older, newer = (120, _RAISED_LEGACY) if landing.legacy else (150, _RAISED)
     raised = newer if number < older else own_version
     return (
-        _joined(raised, whole, stage, landing, cut=True),
-        _joined(own_version, whole, stage, landing, cut=False),
+        _joined(raised, whole, stage, landing, cut=True, tells=tells),
+        _joined(own_version, whole, stage, landing, cut=False, tells=tells),
     )
 
 
-def _joined(version: str, text: str, stage: Stage, landing: Landing, *, cut: bool) -> Rewritten:
+def asks_place(text: str) -> bool:
+    """The fragment shader reads gl_FragCoord, and can be told where the monitor would show a fragment."""
+    bare = _bare(text)
+    version, _ = _parted(text)
+    known = not version.endswith("es") and _number(version) != 100
+    return known and bool(_PLACE.search(bare)) and not _PLACE_REDECLARED.search(bare)
+
+
+def placed(text: str) -> str:
+    """A fragment shader's text whose gl_FragCoord is a place in the program's window."""
+    version, whole = _parted(text)
+    lines, first = whole.split("\n"), _top(whole)
+    told = f"{'varying' if _number(version) < 130 else 'in'} vec4 domeClip;\n"
+    before = told + snippet("own/window") + "#define gl_FragCoord domeFragCoord()\n"
+    return "\n".join([version, *lines[:first], before, *lines[first:]])
+
+
+def _parted(text: str) -> tuple[str, str]:
+    """The #version directive, GLSL's own default where there is none, and the text without it."""
+    version = _VERSION.search(_bare(text))
+    if version is None:
+        return "#version 110", text
+    # A directive may stand below comments; the text keeps its lines.
+    return version[0].strip(), text[: version.start()] + text[version.end() :]
+
+
+def _number(version: str) -> int:
+    found = _VERSION.search(version)
+    assert found is not None
+    return int(found[1])
+
+
+def _joined(
+    version: str, text: str, stage: Stage, landing: Landing, *, cut: bool, tells: bool = False
+) -> Rewritten:
     lines = text.split("\n")
     first = _top(text)
     bare = _bare(text)
@@ -129,13 +159,15 @@ def _joined(version: str, text: str, stage: Stage, landing: Landing, *, cut: boo
         planes = "legacy"
     elif planes == "open" and "compatibility" in version and "gl_ClipVertex" in bare:
         planes = "clip vertex"
-    before = _before(stage, landing, cut=cut, planes=planes)
+    before = _before(stage, landing, cut=cut, planes=planes, tells=tells)
+    if tells:
+        before = f"{'varying' if _number(version) < 130 else 'out'} vec4 domeClip;\n{before}"
     after = "" if stage == "geometry" else _MAIN_AROUND
     text = "\n".join([version, *lines[:first], before, *lines[first:], after])
     return Rewritten(text, cut, by_planes=cut and planes in ("kept", "clip vertex"))
 
 
-def _before(stage: Stage, landing: Landing, *, cut: bool, planes: Planes) -> str:
+def _before(stage: Stage, landing: Landing, *, cut: bool, planes: Planes, tells: bool) -> str:
     """What stands before the program's first declaration: our functions, and its main()'s new name."""
     names = ["own/land", *landing.lens, "bend/vertex", "bend/panel"]
     if landing.face:
@@ -155,7 +187,7 @@ def _before(stage: Stage, landing: Landing, *, cut: bool, planes: Planes) -> str
     parts = [_NAMES.sub(lambda m: f"dome{m[0][0].upper()}{m[0][1:]}", snippet(name)) for name in names]
     if planes == "clip vertex":
         parts.append(_CLIP_VERTEX)
-    parts.append(_land(landing, cut=cut, planes=planes))
+    parts.append(_land(landing, cut=cut, planes=planes, tells=tells))
     if planes == "legacy":
         parts.append(_CLIP_VERTEX)
     if stage == "geometry":
@@ -165,9 +197,9 @@ def _before(stage: Stage, landing: Landing, *, cut: bool, planes: Planes) -> str
     return "".join(parts)
 
 
-def _land(landing: Landing, *, cut: bool, planes: Planes) -> str:
+def _land(landing: Landing, *, cut: bool, planes: Planes, tells: bool) -> str:
     """The function that takes gl_Position onto the dome."""
-    lines = ["vec4 clip = gl_Position;"]
+    lines = ["vec4 clip = gl_Position;", *(["domeClip = clip;"] if tells else [])]
     aimed = [] if landing.aim == "straight" else ["    place = domeAimed(place);"]
     if planes == "clip vertex":
         lines.append("vec3 planes = domePlanesOf(domeClipVertex);")

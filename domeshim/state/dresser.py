@@ -61,7 +61,7 @@ class Dresser:
             self._say_uncut(seen, scene)
             if context.shows_levels:
                 context.say_once("DOME_DEBUG=levels: what the program's own GLSL draws keeps its colours")
-            cut = own.bend(placement, seen.projection, seen.edges, scene.clip_planes)
+            cut = own.bend(seen, scene.clip_planes)
             enables = (*cut.enables, *self.wardrobe.discard(look))
             views = self.wardrobe.views(look, canvas.views)
             self._wear(Dressing(0, enables, views, own.current, canvas.framebuffer, cut.planes), seen)

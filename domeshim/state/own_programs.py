@@ -18,13 +18,13 @@ from domeshim.state.clip_planes import LEGACY_PLANES, NOTHING, PARTS, Equation
 from domeshim.state.perspective import Matrix, is_perspective, perspective_part, planar
 from domeshim.state.placement import Placement
 from domeshim.state.scene import GL_CLIP_PLANE0
-from domeshim.state.scissor import Edges
 from domeshim.window.frame import Frame
 
 if TYPE_CHECKING:
     from domeshim.shading.exchange import OwnProgram
     from domeshim.shading.fragments import FragmentStage
     from domeshim.shading.own import Landing
+    from domeshim.state.whereabouts import Seen
 
 _CURRENT_PROGRAM = 0x8B8D
 
@@ -149,18 +149,18 @@ class OwnPrograms:
 
     # Around its draws.
 
-    def bend(self, placement: Placement, projection: Matrix, edges: Edges, planes: tuple[int, ...]) -> Cut:
-        """Let the bound program end where the placement says, and tell what has to be on for it.
+    def bend(self, seen: Seen, planes: tuple[int, ...]) -> Cut:
+        """Let the bound program end where its draw belongs, and tell what has to be on for it.
 
-        edges: what the scissor leaves of the viewport; planes: the clip planes that the program has enabled.
+        planes: the clip planes that the program has enabled.
         """
         from domeshim.shading.own import EDGE_DISTANCES, RIM_DISTANCE  # noqa: PLC0415 - as above
 
-        own = self.current
+        own, placement, edges = self.current, seen.placement, seen.edges
         assert own is not None
         panel = placement.place == "panel"
         own.set("domeMode", (2.0 if panel else 1.0,))
-        own.set("domeFromClip", placement.view if panel else self._from_clip(placement, projection))
+        own.set("domeFromClip", placement.view if panel else self._from_clip(placement, seen.projection))
         face = self._face
         own.set("domeDepth", planar(placement.depth) if face else placement.depth)
         if not face:
@@ -172,6 +172,7 @@ class OwnPrograms:
         if self._landing.clip != "behind" and not face:
             own.set("domeRim", cone(self._lens.left_out(np.inf)))
         own.set("domeEdges", edges.bounds)
+        own.set("domeWindow", seen.viewport)
         if not own.cut:
             return Cut()
         if self._driver.legacy:

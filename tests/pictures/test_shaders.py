@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -270,3 +271,39 @@ def refused_text(gl: GL) -> Any:
 )
 def test_beside_stock_gl(beside: Beside, scene: Any) -> None:
     beside.equal(scene)
+
+
+PLACES = """#version %s
+void main() { gl_FragColor = vec4(gl_FragCoord.xy / 256.0, 10.0 * (1.0 - gl_FragCoord.z), gl_FragCoord.w); }
+"""
+
+
+@pytest.mark.parametrize("version", ["120", "150 compatibility"])
+@pytest.mark.parametrize("flat", [False, True])
+def test_a_fragment_is_told_its_place_in_the_window(beside: Beside, flat: bool, version: str) -> None:
+    """Through a wide lens, where its place in the frame is another."""
+
+    def read(gl: GL) -> list[int]:
+        gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT)
+        gl.glMatrixMode(gl.GL_PROJECTION)
+        gl.glLoadIdentity()
+        gl.glOrtho(-1, 1, -1, 1, 0, 5) if flat else gl.gluPerspective(60, 1, 1, 10)
+        gl.glMatrixMode(gl.GL_MODELVIEW)
+        gl.glLoadIdentity()
+        gl.glUseProgram(both(gl, f"#version {version}\n{COLOURED}", PLACES % version))
+        steps = np.linspace(-3, 3, 25)  # the program's own GLSL is not subdivided
+        gl.glBegin(gl.GL_QUADS)
+        for left, right in pairwise(steps):
+            for low, high in pairwise(steps):
+                for x, y in ((left, low), (right, low), (right, high), (left, high)):
+                    gl.glVertex3f(x, y, -3)
+        gl.glEnd()
+        gl.glUseProgram(0)
+        gl.glPixelStorei(gl.GL_PACK_ALIGNMENT, 1)
+        at = [(128, 128), (40, 200), (230, 30), (90, 60)]
+        return [v for place in at for v in gl.glReadPixels(*place, 1, 1, gl.GL_RGB, gl.GL_UNSIGNED_BYTE)]
+
+    monitor = beside.monitor(read).answer
+    assert monitor[:2] == [128, 128]
+    dome = beside.through_dome(read, fov=180.0, panel=60.0).answer
+    assert dome == pytest.approx(monitor, abs=3)  # a pixel of the dome is 3 of the window's

@@ -206,6 +206,35 @@ def test_what_cannot_be_bent_is_linked_as_it_is(driver):
     assert outcome.complaint
 
 
+ASKING = "#version 130\nout vec4 c; void main() { c = vec4(gl_FragCoord.xy, 0.0, 1.0); }"
+
+
+def test_a_fragment_shader_that_asks_for_its_place_keeps_its_text(driver):
+    program, (_, fragment), outcome = linked(driver, (0x8B31, PLAIN), (0x8B30, ASKING))
+    assert status(driver, program)
+    assert driver.glGetUniformLocation(program, b"domeWindow") >= 0
+    assert outcome.program is not None
+    text = create_string_buffer(4096)
+    driver.glGetShaderSource(fragment, len(text), None, text)
+    assert text.value.decode() == ASKING
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "#version 150\nlayout(origin_upper_left) in vec4 gl_FragCoord;\n"
+        "out vec4 c; void main() { c = gl_FragCoord; }",
+        "void main() { gl_FragColor = vec4(1.0); } // gl_FragCoord",
+    ],
+    ids=["redeclared", "in a comment"],
+)
+def test_others_are_left_as_they_are(driver, text: str):
+    program, _, outcome = linked(driver, (0x8B31, PLAIN), (0x8B30, text))
+    assert status(driver, program)
+    assert outcome.program is not None
+    assert driver.glGetUniformLocation(program, b"domeWindow") < 0
+
+
 def test_a_program_that_does_not_link_leaves_its_own_errors(driver):
     broken = "void main() { gl_Position = missing(); }"
     program, (vertex,), outcome = linked(driver, (0x8B31, broken))
