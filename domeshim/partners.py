@@ -57,6 +57,9 @@ class Dome(Protocol):
     def write(self, bitmaps: Sequence[Bitmap]) -> bool:
         """Draw bitmaps one after the other; False where the caller must do it by glBitmap."""
 
+    def selects(self, window: Window) -> bool:
+        """The window's draws select or give feedback: they make no picture."""
+
     def frame_ending(self, window: Window) -> None:
         """The picture is complete: what must still be drawn over it is drawn now."""
 

@@ -220,8 +220,9 @@ class Session:
             self._end_frame(window)
 
     def swapped(self, window: Window) -> None:
-        """The program swapped its buffers: the picture is finished."""
-        self._end_frame(window)
+        """The program swapped its buffers: the picture is finished, unless it was drawn to select."""
+        if self.dome is None or not self.dome.selects(window):
+            self._end_frame(window)
 
     def display_begins(self, window: Window) -> None:
         """The program's display callback is about to run."""

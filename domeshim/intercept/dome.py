@@ -156,6 +156,10 @@ class Dome(Draws):
             self.flush()
             context.bypass("straight", on=False)
 
+    def selects(self, window: Window) -> bool:
+        """The window's draws select or give feedback: they make no picture."""
+        return window in self._windows and self._windows[window].context.selects
+
     def frame_ending(self, window: Window) -> None:
         """The picture is complete: cut it at the rim."""
         self.flush()

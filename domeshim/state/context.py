@@ -173,6 +173,11 @@ class DomeContext:
         """What the program draws goes into a framebuffer of its own."""
         return "framebuffer" in self._bypasses
 
+    @property
+    def selects(self) -> bool:
+        """Draws select or give feedback."""
+        return "render mode" in self._bypasses
+
     def bypass(self, reason: str, on: bool) -> None:
         """While any reason is on, draws go to GL as the program makes them."""
         (self._bypasses.add if on else self._bypasses.discard)(reason)

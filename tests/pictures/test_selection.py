@@ -128,6 +128,9 @@ glutMainLoop()
 """
 
 
-def test_a_flush_while_selecting_shows_nothing(tmp_path: Path) -> None:
-    done = run_off_screen(tmp_path, PICKS, "enabled=True")
+@pytest.mark.parametrize("how", ["flush", "swap"])
+def test_a_picture_that_ends_while_selecting_is_none(tmp_path: Path, how: str) -> None:
+    """A rim would be selected."""
+    swaps = PICKS.replace("GLUT_SINGLE", "GLUT_DOUBLE").replace("glFlush", "glutSwapBuffers")
+    done = run_off_screen(tmp_path, PICKS if how == "flush" else swaps, "enabled=True")
     assert (done.stderr, done.stdout) == ("", "[[3, 5]]\n")
