@@ -9,11 +9,12 @@ import numpy as np
 
 from domeshim.intercept.dome import Dome
 from domeshim.intercept.monitor_pixels import in_place_of_window, reads_window
-from domeshim.state.shown import Shown, middles
 
 if TYPE_CHECKING:
     from domeshim.state.context import DomeContext
+    from domeshim.state.shown import Shown
     from domeshim.window.frame import Rectangle
+
 Call = Callable[..., Any]
 
 PICKED = 16
@@ -62,6 +63,8 @@ def read_pixels(dome: Dome, original: Call) -> Call:
 
 def _shown(context: DomeContext, area: Rectangle, kind: int) -> Shown | None:
     """The frame's pixels that answer a request; None where it is for the frame's own."""
+    from domeshim.state.shown import Shown, middles  # noqa: PLC0415 - only a program that reads pays
+
     frame, sight = context.frame, context.pixels.sight
     size, stencil = max(area[2:]), kind in (_STENCIL_INDEX, _DEPTH_STENCIL)
     if kind == _DEPTH_COMPONENT or size <= (1 if stencil else PICKED):

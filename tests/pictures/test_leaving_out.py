@@ -205,7 +205,7 @@ LEFT_OUT = (
     *("domeshim.record.arrays", "domeshim.shading.exchange", "domeshim.shading.fragments"),
     *("domeshim.shading.geometry", "domeshim.shading.own", "domeshim.shading.pieces"),
     *("domeshim.shading.tessellation", "domeshim.state.comfort", "domeshim.state.monitor_raster"),
-    *("domeshim.state.pointer", "domeshim.state.region"),
+    *("domeshim.state.pointer", "domeshim.state.region", "domeshim.state.shown"),
 )
 """What a program of a few small triangles does not need; glfw without a display."""
 GLUT_PROGRAM = """
