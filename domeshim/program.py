@@ -48,7 +48,8 @@ def _prepare_path(path: str) -> dict[str, Any]:
         spec = importer.find_spec("__main__")
         if spec is None:
             raise OptionError(f"cannot run {path}: no __main__ module in it")
-        _set_first_path(full)
+        # Also by -P, which is about folders that Python would search by itself.
+        sys.path[: not sys.flags.safe_path] = [full]
         return _names_of(spec)
     _set_first_path(os.path.dirname(os.path.realpath(full)))
     loader = (SourcelessFileLoader if full.endswith(".pyc") else SourceFileLoader)("__main__", full)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 
 os.environ["PYOPENGL_PLATFORM"] = "egl"  # before any test imports OpenGL
-for name in [name for name in os.environ if name == "DOME" or name.startswith("DOME_")]:
+for name in [name for name in os.environ if name in ("DOME", "PYTHONSAFEPATH") or name.startswith("DOME_")]:
     del os.environ[name]
 
 import sys  # noqa: E402

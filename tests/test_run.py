@@ -71,6 +71,7 @@ def test_an_absolute_path_a_link_and_a_safe_path(folder):
 def test_a_folder_a_zip_file_a_module_and_a_package(folder):
     (folder / "sub" / "__main__.py").write_text(PROBE)
     same(["sub", "x"], folder)
+    same(["sub", "x"], folder, PYTHONSAFEPATH="1")
     with zipfile.ZipFile(folder / "packed.zip", "w") as archive:
         archive.writestr("__main__.py", PROBE)
     same(["packed.zip", "x"], folder)

@@ -36,17 +36,24 @@ _RASTER_THREADS = "LP_NUM_THREADS"
 class Keeper(WorkerPlugin):  # type: ignore[misc] # Dask's types are not looked at
     """A worker's part: it keeps the plan's program alive between chunks, one in each of its threads."""
 
-    def __init__(self, plan: Plan, token: Path) -> None:
-        """token: a file in the output's folder; who sees it shares the storage, and writes there itself."""
+    def __init__(self, plan: Plan, token: Path, *, ours: bool = False) -> None:
+        """token: a file in the output's folder; who sees it shares the storage, and writes there itself.
+
+        ours: the worker ends with the client.
+        """
         self.name = f"domeshim-{token.name}"
         self._plan = plan
         self._token = token
+        self._ours = ours
         self._makers: dict[int, Maker] = {}
         """By the thread's number."""
 
     def setup(self, worker: Worker) -> None:
         """The worker hears of the plan."""
         os.environ.setdefault(_RASTER_THREADS, _share(worker.state.nthreads))
+        if self._ours:  # it would complain that the client has gone; that memory is short is worth hearing
+            _silence()
+            logging.getLogger("distributed.worker.memory").setLevel(logging.WARNING)
 
     def teardown(self, worker: Worker) -> None:  # noqa: ARG002 - Dask's own signature
         """The worker ends."""
@@ -127,12 +134,12 @@ class Farm:
             write(token, b"")
             stack.callback(token.unlink, missing_ok=True)
             client = self._client(stack)
-            keeper = Keeper(plan, token)
+            keeper = Keeper(plan, token, ours=self._cluster is None)
             client.register_plugin(keeper)
             stack.callback(_forget, client, keeper.name)
             stack.callback(_put_off_interrupts)  # once was enough
-            # Tasks that are still waiting are of no interest to anybody, nor is that they cannot be sent.
-            stack.callback(logging.getLogger("distributed").setLevel, logging.CRITICAL)
+            # That nobody is left to hear of the other tasks is critical to Dask, and to nobody else.
+            stack.callback(_silence)
             futures = {
                 client.submit(make_chunk, keeper.name, chunk, pure=False, priority=-number): chunk
                 for number, chunk in enumerate(chunks)
@@ -175,6 +182,11 @@ def shared_cores(workers: int) -> dict[str, str]:
     return {} if _RASTER_THREADS in os.environ else {_RASTER_THREADS: _share(workers)}
 
 
+def _silence() -> None:
+    """Let Dask say nothing more in this process."""
+    logging.getLogger("distributed").setLevel(logging.CRITICAL + 1)
+
+
 def _share(programs: int) -> str:
     """How many cores each of so many programs on this machine has."""
     return str(max(CPU_COUNT // programs, 1))
@@ -182,12 +194,14 @@ def _share(programs: int) -> str:
 
 def _collect(futures: dict[Future, Chunk], plan: Plan) -> Iterator[Made]:
     for future in as_completed(futures):
+        _put_off_interrupts()  # Dask's own waiting for an answer cannot be interrupted cleanly
         try:
             done = future.result()
         except Exception as error:  # whatever became of the worker
             reason = f"lost with its worker: {error}"
             done = [Made(frame, eye, error=reason) for frame in futures[future].frames for eye in plan.eyes]
         future.release()
+        _hear_interrupts()
         yield from done
 
 
