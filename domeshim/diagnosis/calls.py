@@ -9,7 +9,7 @@ from typing import Any
 
 _MATRICES = {0x0BA6: "MODELVIEW", 0x0BA7: "PROJECTION"}
 _COUNTED = ("glReadPixels", "glCopyTexImage2D", "glCopyTexSubImage2D", "glCopyPixels", "glBindFramebuffer")
-_OF_GLU = ("gluNewNurbsRenderer", "gluProject")
+_OF_GLU = ("gluProject",)
 
 
 class Calls:

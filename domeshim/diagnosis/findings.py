@@ -69,11 +69,6 @@ def _reading(seen: Seen) -> list[Finding]:
         ),
         (counts.get("glBindFramebuffer", 0), "perhaps", "it draws into framebuffers of its own"),
         (
-            counts.get("gluNewNurbsRenderer", 0),
-            "perhaps",
-            "it draws by GLU's NURBS, from C: of these, only curves are subdivided",
-        ),
-        (
             asked,
             "perhaps",
             "it asks for both matrices {} a picture: if that is to leave out what its own view does not"

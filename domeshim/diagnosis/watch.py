@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from domeshim.diagnosis.tally import PATCHES, Made, Tally, tally_of
 from domeshim.draw import subdivide
+from domeshim.draw.patches import LINE_STRIP, POINTS, TRIANGLE_STRIP
 from domeshim.driver import Driver
 from domeshim.shading.recipe import Patch
 
@@ -20,6 +21,8 @@ if TYPE_CHECKING:
 _PATCH_VERTICES, _PRIMITIVES_GENERATED, _QUERY_RESULT = 0x8E72, 0x8C87, 0x8866
 _CURRENT_PROGRAM, _SOURCE_LENGTH, _MOST_SHADERS = 0x8B8D, 0x8B88, 16
 _COMPILE_AND_EXECUTE = 0x1301
+_MESHES = ("glEvalMesh1", "glEvalMesh2")
+_POINT, _LINE = 0x1B00, 0x1B01
 _PROGRAM_DRAWS = ("glDrawArrays", "glDrawElements", "glDrawRangeElements", "glMultiDrawArrays")
 
 
@@ -44,6 +47,7 @@ class WatchedDriver(Driver):
         self._query = 0
         self._given: Tally | None = None
         """The primitives that the program gave, while their pieces are drawn."""
+        self._asking = False
         self.doing = ""
         """The pass over the picture that is under way, if one is."""
         self.owners: dict[int, str] = {}
@@ -88,6 +92,8 @@ class WatchedDriver(Driver):
         for name in _PROGRAM_DRAWS:
             if hasattr(module, name):
                 setattr(module, name, self._counted(name, getattr(module, name)))
+        for name in _MESHES:
+            setattr(module, name, self._counted_mesh(getattr(module, name)))
         new_list, end_list, call_list = module.glNewList, module.glEndList, module.glCallList
         module.glNewList = lambda name, mode: self._into_list(name, mode, new_list)
         module.glEndList = lambda: self._list_complete(end_list)
@@ -98,6 +104,14 @@ class WatchedDriver(Driver):
         def call(*args: Any, **named: Any) -> Any:
             with self._drawing(int(args[0]), _count_of(name, args)):
                 return original(*args, **named)
+
+        return call
+
+    def _counted_mesh(self, original: Callable[..., Any]) -> Callable[..., Any]:
+        @wraps(original)
+        def call(mode: int, *limits: int) -> Any:
+            with self._drawing(*_strips_of(int(mode), [int(limit) for limit in limits])):
+                return original(mode, *limits)
 
         return call
 
@@ -228,7 +242,19 @@ class WatchedDriver(Driver):
         """How many vertices a patch has now; 1 where none is drawn."""
         return max(self._gl.integer(_PATCH_VERTICES), 1) if mode == PATCHES else 1
 
+    def glBeginTransformFeedback(self, mode: int) -> None:
+        """GL is asked what it evaluates, and draws nothing."""
+        self._asking = True
+        self._gl.glBeginTransformFeedback(mode)
+
+    def glEndTransformFeedback(self) -> None:
+        """What comes now is drawn."""
+        self._gl.glEndTransformFeedback()
+        self._asking = False
+
     def _count(self, tally: Tally) -> None:
+        if self._asking:
+            return
         drawn = tally.generated or tally.primitives
         if self._given is not None:
             tally.primitives, tally.cut = self._given.primitives, self._given.cut
@@ -244,7 +270,7 @@ class WatchedDriver(Driver):
             self.tallies[self._bound].generated += drawn
 
     def _begin_query(self) -> None:
-        if self._listing is not None or self._gl.legacy:
+        if self._listing is not None or self._asking or self._gl.legacy:
             return
         if not self._query:
             query = c_uint()
@@ -253,12 +279,24 @@ class WatchedDriver(Driver):
         self._gl.glBeginQuery(_PRIMITIVES_GENERATED, self._query)
 
     def _end_query(self) -> None:
-        if self._listing is not None or self._gl.legacy:
+        if self._listing is not None or self._asking or self._gl.legacy:
             return
         self._gl.glEndQuery(_PRIMITIVES_GENERATED)
         found = c_uint()
         self._gl.glGetQueryObjectuiv(self._query, _QUERY_RESULT, found)
         self.tallies[self._bound].generated += found.value
+
+
+def _strips_of(mode: int, limits: list[int]) -> list[int]:
+    """The mode of glBegin that a glEvalMesh comes to, and the number of vertices of each block."""
+    columns = limits[1] - limits[0] + 1
+    rows = limits[3] - limits[2] + 1 if len(limits) == 4 else 1
+    if mode == _POINT:
+        return [POINTS, columns * rows]
+    if mode == _LINE:
+        across = [rows] * columns if len(limits) == 4 else []
+        return [LINE_STRIP, *[columns] * rows, *across]
+    return [TRIANGLE_STRIP, *[2 * columns] * (rows - 1)]
 
 
 def _count_of(name: str, args: tuple[Any, ...]) -> int:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import partial
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -19,22 +19,16 @@ if TYPE_CHECKING:
 
 
 class ListedDraw:
-    """A draw in a display list that is made once for each of several views, or is a curve."""
+    """A draw in a display list that is not made as the rest of the list is."""
 
-    def __init__(self, context: DomeContext, name: int, *, at_raster: bool, curve: bool) -> None:
-        """name: of GL's own list that holds it, and nothing beside it; curve: it is drawn as lines."""
-        self._context = context
+    def __init__(self, name: int, made: Callable[[int], object]) -> None:
+        """name: of GL's own list that holds it, and nothing beside it; made: draws such a list."""
         self._name = name
-        self._at_raster = at_raster
-        self._curve = curve
+        self._made = made
 
     def __call__(self) -> None:
         """Make it."""
-        if self._at_raster:
-            self._context.raster.draw(partial(self._context.driver.glCallList, self._name))
-        else:
-            patch = self._context.subdividing.line_patch if self._curve else None
-            self._context.draw_list(self._name, patch)
+        self._made(self._name)
 
     def names(self) -> list[int]:
         """The GL list, to be deleted with it."""

@@ -2,22 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from operator import itemgetter
+from typing import TYPE_CHECKING
 
 from domeshim.driver import Driver
 from domeshim.record.immediate import Immediate
 from domeshim.record.runs import Block
+
+if TYPE_CHECKING:
+    from domeshim.state.context import DomeContext
 
 _Change = tuple[int, Callable[..., None], list[float]]
 """Before which vertex, and what to call with which values."""
 _NEVER = 1 << 62
 
 
-def replay(gl: Driver, recorder: Immediate, setters: Mapping[str, Callable[..., None]]) -> None:
+def replay(
+    gl: Driver, recorder: Immediate, setters: Mapping[str, Callable[..., None]], mode: int | None = None
+) -> None:
     """Make the recorded calls; vertices outside glBegin..glEnd as well where there is no block at all.
 
-    Such vertices are a display list's, to be called between the caller's glBegin and glEnd.
+    Such vertices are a display list's, to be called between the caller's glBegin and glEnd. mode: of all
+    blocks, if not their own.
     """
     if recorder.alike:
         for name, events in recorder.used:
@@ -32,7 +40,7 @@ def replay(gl: Driver, recorder: Immediate, setters: Mapping[str, Callable[..., 
             changes[k][1](*changes[k][2])
             k += 1
         if recorder.blocks:
-            gl.glBegin(block.mode)
+            gl.glBegin(block.mode if mode is None else mode)
         k = _vertices(gl, recorder, block, changes, k)
         if recorder.blocks:
             gl.glEnd()
@@ -83,3 +91,20 @@ def _changes(recorder: Immediate, setters: Mapping[str, Callable[..., None]]) ->
     changes.sort(key=itemgetter(0))
     changes.append((_NEVER, setters["edge"], []))
     return changes
+
+
+@contextmanager
+def inside_block(context: DomeContext) -> Iterator[None]:
+    """GL stands between glBegin and glEnd: nothing of ours comes in, nor PyOpenGL's question for errors."""
+    from OpenGL.raw.GL import _errors  # noqa: PLC0415 - not before the program has imported OpenGL
+
+    checker, compiling = _errors._error_checker, context.compiling
+    context.compiling = True
+    if checker:
+        checker.onBegin()
+    try:
+        yield
+    finally:
+        context.compiling = compiling
+        if checker:
+            checker.onEnd()

@@ -43,7 +43,8 @@ class Submitter:
     def __init__(self, driver: Driver) -> None:
         self._driver = driver
         self._stream = Upload(driver)
-        self._setters = current_setters(driver)
+        self.setters = current_setters(driver)
+        """What makes each attribute's value current, by its name."""
 
     def submit(self, recorder: Immediate, context: DomeContext, *, compiling: bool = False) -> None:
         """Draw what was recorded and leave the last attributes current, as GL itself would have.
@@ -77,7 +78,7 @@ class Submitter:
     def replay(self, recorder: Immediate, made: Making = at_once) -> None:
         """Make the recorded calls one by one; made: makes the draw, once for each view."""
         try:
-            made(lambda: replay(self._driver, recorder, self._setters))
+            made(lambda: replay(self._driver, recorder, self.setters))
         finally:
             recorder.clear()
 
@@ -99,7 +100,7 @@ class Submitter:
                 order = few_as_quads(block.mode, recorder.positions, block.first, count, flat=flat)
             patch = None if kind == "points" else patch_for("quads" if order else kind, subdivision)
             mode = POINTS if patch is None else patch.mode
-            context.draw(drawing_of(self._driver, recorder, self._setters, block, mode, order), patch)
+            context.draw(drawing_of(self._driver, recorder, self.setters, block, mode, order), patch)
         if alike:
             recorder.clear()  # all is current already
         else:
@@ -109,7 +110,7 @@ class Submitter:
     def skip(self, recorder: Immediate) -> None:
         """Leave out the draws, and leave the last attributes current."""
         for name, events in recorder.used:
-            self._setters[name](*events.last)
+            self.setters[name](*events.last)
         recorder.clear()
 
     def draw_as_needed(self, run: Run, context: DomeContext, subdivision: Subdivision | None) -> None:
@@ -126,7 +127,7 @@ class Submitter:
     def make_current(self, run: Run) -> None:
         """Set each attribute to what the run set it to last."""
         for name, value in run.last:
-            self._setters[name](*value)
+            self.setters[name](*value)
 
     @staticmethod
     def _as_given(recorder: Immediate, *, compiling: bool) -> bool:
@@ -137,7 +138,7 @@ class Submitter:
     def set_constant(self, run: Run) -> None:
         """Set what is the same for every vertex of the run, before it is drawn."""
         for name, value in run.constant:
-            self._setters[name](*value)
+            self.setters[name](*value)
 
     # As arrays.
 

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Sequence
 from functools import cached_property, partial
 from typing import TYPE_CHECKING
 
@@ -12,6 +11,7 @@ import numpy as np
 from domeshim.draw.extent import Extent
 from domeshim.draw.listed import ListedDraw, ListedMesh
 from domeshim.draw.materials import material_run
+from domeshim.draw.replay import inside_block
 from domeshim.draw.subdivide import at_once
 from domeshim.draw.submit import Submitter
 from domeshim.driver import Driver
@@ -22,27 +22,11 @@ from domeshim.record.runs import Run
 from domeshim.state.context import DomeContext
 
 if TYPE_CHECKING:
+    from domeshim.draw.evaluated_draws import EvaluatedDraws
     from domeshim.draw.shape import Shape
     from domeshim.intercept.window_dome import WindowDome
     from domeshim.record.arrays import Elements
     from domeshim.session import Session
-
-
-@contextmanager
-def inside_block(context: DomeContext) -> Iterator[None]:
-    """GL stands between glBegin and glEnd: nothing of ours comes in, nor PyOpenGL's question for errors."""
-    from OpenGL.raw.GL import _errors  # noqa: PLC0415 - not before the program has imported OpenGL
-
-    checker, compiling = _errors._error_checker, context.compiling
-    context.compiling = True
-    if checker:
-        checker.onBegin()
-    try:
-        yield
-    finally:
-        context.compiling = compiling
-        if checker:
-            checker.onEnd()
 
 
 _MESHES_OF_A_LIST = 64
@@ -90,7 +74,7 @@ class Draws:
         if recorder.blocks and current.context.passing and not recorder.extras and self.building is None:
             current.context.draw(lambda: current.submitter.skip(recorder))
         elif recorder.extras:
-            current.submitter.replay(recorder, self._draw_inside_block)
+            self._flush_extras(current)
         elif self.building is not None and self._keeps(self.building):
             self.keep_mesh(recorder.take())
         elif self.building is None:
@@ -113,6 +97,14 @@ class Draws:
     @cached_property
     def _unbent(self) -> Submitter:
         return Submitter(self._driver)
+
+    def _flush_extras(self, current: WindowDome) -> None:
+        """Draw blocks in which calls were made that set no attribute."""
+        recorder = self.recorder
+        if recorder.evaluates and current.context.subdividing.may_subdivide:
+            current.evaluated.draw_block(recorder.moved())
+        else:
+            current.submitter.replay(recorder, self._draw_inside_block)
 
     def _draw_inside_block(self, draw: Callable[[], object]) -> None:
         """Make a draw that is between glBegin and glEnd all the while."""
@@ -140,33 +132,22 @@ class Draws:
         building.meshes += 1
         current.lists.keep_mesh(lambda: ListedMesh(run, current.context, current.submitter, current.lists))
 
-    def listed(self, draw: Callable[[], object], *, at_raster: bool = False, curve: bool = False) -> bool:
+    def listed(self, draw: Callable[[], object], *, at_raster: bool = False) -> bool:
         """Put a draw into the display list that is being built, as a part of its own; whether that is due.
 
-        It is where a draw is made more than once, and for a curve, which is subdivided: what else is in the
-        list must not be.
+        It is where a draw is made more than once.
         """
         current = self._current
-        if self.building is None or current is None or not (curve or current.context.several):
+        if self.building is None or current is None or not current.context.several:
             return False
         context, lists = current.context, current.lists
-        lists.keep_mesh(lambda: ListedDraw(context, lists.compile(draw), at_raster=at_raster, curve=curve))
-        return True
 
-    def draw_once(self, draw: Callable[[], object], *, curve: bool) -> object:
-        """Make a draw, in each view, whose call may be made but once; curve: it is of lines."""
-        context, lists = self.context, self.lists
-        assert context is not None
-        assert lists is not None
-        if self.listed(draw, curve=curve):
-            return None
-        patch = context.subdividing.line_patch if curve else None
-        if not context.several:
-            return context.draw(draw, patch)
-        name = lists.compile(draw)
-        context.draw_list(name, patch)
-        context.driver.glDeleteLists(name, 1)
-        return None
+        def raster(name: int) -> object:
+            return context.raster.draw(partial(context.driver.glCallList, name))
+
+        made = raster if at_raster else context.draw_list
+        lists.keep_mesh(lambda: ListedDraw(lists.compile(draw), made))
+        return True
 
     def draw_arrays(self, mode: int, indices: range | Elements) -> bool:
         """Draw from the program's vertex arrays where that needs more than GL's own draw; False where not."""
@@ -269,6 +250,15 @@ class Draws:
         assert self.context is not None
         self._session.drawing()
         self.context.panel.write(bitmaps)
+
+    @property
+    def evaluated(self) -> EvaluatedDraws | None:
+        """Draws what GL evaluates, which the program does now; None without a window."""
+        current = self._current
+        if current is None:
+            return None
+        self._session.drawing()
+        return current.evaluated
 
     def read_elements(self, count: int, kind: int, indices: object) -> Elements:
         """glDrawElements' indices, wherever they lie."""

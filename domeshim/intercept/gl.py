@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 from domeshim.draw.accumulation import BUFFER_BIT as ACCUMULATION_BIT
 from domeshim.draw.accumulation import Accumulation
 from domeshim.driver import Driver
-from domeshim.intercept import pixels, raster, reading, recorded, shaders
+from domeshim.intercept import evaluators, pixels, raster, reading, recorded, shaders
 from domeshim.intercept.arrays import draw_arrays, draw_elements, draw_range_elements, writes_buffer
 from domeshim.intercept.blitting import blit_framebuffer
 from domeshim.intercept.copying import COPIES, copy_texture
@@ -37,7 +37,6 @@ from domeshim.intercept.state_calls import (
     clip_plane,
     color_material,
     draw,
-    evaluated_curve,
     kept_in_lists,
     read,
     read_picture,
@@ -55,7 +54,7 @@ if TYPE_CHECKING:
 Call = Callable[..., Any]
 Maker = Callable[[Dome, Call], Call]
 
-_DRAWS = re.compile(r"gl(Draw(Arrays|Elements|RangeElements)\w*|MultiDraw\w+|EvalMesh[12])")
+_DRAWS = re.compile(r"gl(Draw(Arrays|Elements|RangeElements)\w*|MultiDraw\w+)")
 _BEGINS_DRAWING = re.compile(
     r"gl(Begin|Rect[dfis]v?|Draw(Arrays|Elements|RangeElements|Pixels)\w*|MultiDraw\w+|EvalMesh[12]|CallLists?"
     r"|Bitmap|CopyPixels)"
@@ -227,7 +226,8 @@ _SPECIAL: Mapping[str, Maker] = {
     "glGetActiveUniform": shaders.active_uniform,
     "glUniformMatrix4fv": shaders.uniform_matrix,
     "glRenderMode": render_mode,
-    "glEvalMesh1": evaluated_curve,
+    "glEvalMesh1": kept_in_lists(evaluators.mesh),
+    "glEvalMesh2": kept_in_lists(evaluators.mesh),
     "glClipPlane": clip_plane,
     "glGetClipPlane": bare,
     "glClear": kept_in_lists(pixels.clear),

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from domeshim.intercept import gl
+from domeshim.intercept import evaluators, gl
 from domeshim.intercept.dome import Dome
-from domeshim.intercept.state_calls import draw, draw_nurbs, kept_in_lists, read
+from domeshim.intercept.state_calls import draw, kept_in_lists, read
 from domeshim.state.perspective import perspective
 
 if TYPE_CHECKING:
@@ -79,7 +79,7 @@ _CALLS: Mapping[str, Callable[[Dome, Call], Call]] = {
     "gluPerspective": kept_in_lists(_perspective),
     "gluLookAt": kept_in_lists(_look_at),
     **dict.fromkeys(("gluSphere", "gluCylinder", "gluDisk", "gluPartialDisk"), draw),
-    "gluEndCurve": draw_nurbs(curve=True),
-    "gluEndSurface": draw_nurbs(curve=False),
+    "gluEndCurve": evaluators.nurbs(curve=True),
+    "gluEndSurface": evaluators.nurbs(curve=False),
     **dict.fromkeys(("gluProject", "gluUnProject", "gluUnProject4", "gluPickMatrix"), read),
 }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import re
 from collections.abc import Callable
 from typing import Any
@@ -66,7 +67,8 @@ def within(dome: Dome, name: str, call: Call, /, *args: Any, **named: Any) -> An
     if name.startswith("glMaterial"):
         return _material(dome, name, call, *args, **named)
     if _LEGAL.fullmatch(name):
-        return dome.recorder.inside(lambda: call(*args, **named))
+        kept = copy.deepcopy(args)  # arrays may hold other numbers by glEnd
+        return dome.recorder.inside(lambda: call(*kept, **named), evaluates=name.startswith("glEval"))
     if name.startswith("gl") and not name.startswith("glu"):
         return refuse(dome)
     return call(*args, **named)

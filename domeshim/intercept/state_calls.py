@@ -34,7 +34,6 @@ _TOUCHED = frozenset(
 _SCISSOR_TEST = 0x0C11
 _SEEN = {**GROUP_OF, _SCISSOR_TEST: ""}
 """Capabilities that mean something to the dome, with their groups."""
-_LINE = 0x1B01
 _CURRENT_COLOR, _RENDER, _TEXTURE0 = 0x0B00, 0x1C00, 0x84C0
 
 
@@ -64,39 +63,6 @@ def draw(dome: Dome, original: Call) -> Call:
         dome.drawing()
         drawn = partial(original, *args, **named)
         return None if dome.listed(drawn) else dome.context.draw(drawn)
-
-    return call
-
-
-def draw_nurbs(*, curve: bool) -> Maker:
-    """gluEndCurve and gluEndSurface: they draw what was begun, and end it."""
-
-    def make(dome: Dome, original: Call) -> Call:
-        def call(*args: Any, **named: Any) -> Any:
-            drawn = partial(original, *args, **named)
-            if dome.context is None:
-                return drawn()
-            dome.drawing()
-            return dome.draw_once(drawn, curve=curve)
-
-        return call
-
-    return make
-
-
-def evaluated_curve(dome: Dome, original: Call) -> Call:
-    """glEvalMesh1."""
-    points = draw(dome, original)
-
-    def call(mode: int, *limits: int) -> Any:
-        context = dome.context
-        if context is None or int(mode) != _LINE:
-            return points(mode, *limits)
-        dome.drawing()
-        drawn = partial(original, mode, *limits)
-        if dome.listed(drawn, curve=True):
-            return None
-        return context.draw(drawn, context.subdividing.line_patch)
 
     return call
 

@@ -18,6 +18,7 @@ from domeshim.window.frame import Frame
 
 if TYPE_CHECKING:
     from domeshim.draw.arrays import ArrayDraws
+    from domeshim.draw.evaluated_draws import EvaluatedDraws
     from domeshim.draw.finish import Finish
     from domeshim.draw.finishing import Finishing
     from domeshim.lens.mesh import Floats
@@ -44,6 +45,13 @@ class WindowDome:
         self.card = TestCard(driver, options)
         self._options = options
         self._finish: tuple[Finishing, Finish] | None = None
+
+    @cached_property
+    def evaluated(self) -> EvaluatedDraws:
+        """Draws what GL evaluates."""
+        from domeshim.draw.evaluated_draws import EvaluatedDraws  # noqa: PLC0415 - with the first of them
+
+        return EvaluatedDraws(self.context, self.submitter, self.lists)
 
     @cached_property
     def arrays(self) -> ArrayReader:

@@ -50,6 +50,8 @@ class Immediate:
         """Not empty where an attribute that is none of FREQUENT was set."""
         self.extras = False
         """Calls were made between glBegin and glEnd that set no attribute."""
+        self.evaluates = True
+        """Each of them evaluates a vertex."""
         self.w: dict[int, float] = {}
         """The fourth coordinates other than 1, by vertex."""
         self.bitmaps: list[Bitmap] = []
@@ -128,10 +130,11 @@ class Immediate:
             self.attributes[name].places.append(len(self.positions))
             self.attributes[name].values.extend(values)
 
-    def inside(self, extra: Callable[[], object]) -> None:
+    def inside(self, extra: Callable[[], object], *, evaluates: bool) -> None:
         """A call between glBegin and glEnd that is no attribute is kept in its place."""
         assert self.block is not None
         self.extras = True
+        self.evaluates = self.evaluates and evaluates
         self.block.extras[len(self.positions) // 3] = extra
         self.positions.extend((0.0, 0.0, 0.0))
 
@@ -175,6 +178,29 @@ class Immediate:
             tuple((name, events.last) for name, events in self.used if name not in varying),
         )
 
+    def moved(self) -> Immediate:
+        """What was recorded, as plain numbers in a recorder of its own; this one is empty then.
+
+        Raises TypeError where something is no number.
+        """
+        taken = Immediate()
+        try:
+            self.settle()
+            self._copy_to(taken)
+        finally:
+            self.clear()
+        return taken
+
+    def _copy_to(self, taken: Immediate) -> None:
+        for name, events in self.used:
+            taken.attributes[name].places += events.places
+            taken.attributes[name].values += events.values
+        taken.positions += self.positions
+        taken.blocks += self.blocks
+        taken.rare += self.rare
+        taken.w |= self.w
+        taken.extras, taken.evaluates = self.extras, self.evaluates
+
     def clear(self) -> None:
         """Forget what was recorded."""
         for _, events in self._possible:
@@ -186,6 +212,7 @@ class Immediate:
         self.bitmaps.clear()
         self.rare.clear()
         self.extras = self._in_arrays = False
+        self.evaluates = True
 
 
 def _floats(values: list[float]) -> NDArray[np.float32]:

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from domeshim.shading.compose import Source
 
 _VERTEX, _FRAGMENT, _CONTROL, _EVALUATION, _GEOMETRY = 0x8B31, 0x8B30, 0x8E88, 0x8E87, 0x8DD9
+_INTERLEAVED = 0x8C8C
 _COMPILE_STATUS, _LINK_STATUS, _INFO_LOG_LENGTH = 0x8B81, 0x8B82, 0x8B84
 _PLACE_IN_LOG = re.compile(r"\b0(?::(\d+)|\((\d+)\))")
 
@@ -64,7 +65,7 @@ class Program(Uniforms):
     """A linked program of one GL context.
 
     attached: compiled shader objects that go in beside the sources; attributes: the number of each generic
-    vertex attribute, by its name in the vertex shader.
+    vertex attribute, by its name in the vertex shader; caught: what of each vertex transform feedback takes.
 
     Raises ShaderError with the driver's words, each place in them named by our file and line.
     """
@@ -79,6 +80,7 @@ class Program(Uniforms):
         geometry: Source | None = None,
         attached: Sequence[int] = (),
         attributes: Mapping[str, int] | None = None,
+        caught: Sequence[str] = (),
     ) -> None:
         super().__init__(driver, driver.glCreateProgram())
         stages = {
@@ -98,6 +100,9 @@ class Program(Uniforms):
             driver.glAttachShader(self.name, shader)
         for name, number in (attributes or {}).items():
             driver.glBindAttribLocation(self.name, number, name.encode())
+        if caught:
+            names = (c_char_p * len(caught))(*(name.encode() for name in caught))
+            driver.glTransformFeedbackVaryings(self.name, len(caught), names, _INTERLEAVED)
         driver.glLinkProgram(self.name)
         linked = c_int()
         driver.glGetProgramiv(self.name, _LINK_STATUS, linked)

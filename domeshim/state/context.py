@@ -37,7 +37,9 @@ if TYPE_CHECKING:
     from domeshim.state.panel_pixels import PanelPixels
 
 _TEXTURE, _RASTERIZER_DISCARD = 0x1702, 0x8C89
-_PATCH_VERTICES, _CURRENT_AND_LIGHTING_BITS = 0x8E72, 0x0041
+_PATCH_VERTICES = 0x8E72
+CURRENT_AND_LIGHTING_BITS = 0x0041
+"""GL's attribute groups that a draw may change: the current colour and its like, and what follows it."""
 _CURRENT_COLOR = 0x0B00
 _NOT_IN_WINDOW = frozenset(("render mode", "framebuffer"))
 """Reasons to stay out of draws that leave no pixel in the window."""
@@ -240,7 +242,7 @@ class DomeContext:
         views = self.views_now
         for view in views[:-1]:
             self.worn.show(view)
-            self.driver.glPushAttrib(_CURRENT_AND_LIGHTING_BITS)
+            self.driver.glPushAttrib(CURRENT_AND_LIGHTING_BITS)
             call()
             self.driver.integers(_CURRENT_COLOR, 4)  # Mesa hands colours on when it is asked for them
             self.driver.glPopAttrib()

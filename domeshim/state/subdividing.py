@@ -11,9 +11,7 @@ import numpy as np
 
 from domeshim.draw.extent import Extent
 from domeshim.draw.primitives import Primitives
-from domeshim.draw.subdivide import stippled
 from domeshim.options import Options
-from domeshim.shading.recipe import Patch
 from domeshim.state.perspective import Matrix
 from domeshim.state.placement import Placement
 from domeshim.state.subdivision import Choice, Method, Subdivision, Tolerance, method_of
@@ -76,22 +74,8 @@ class Subdividing:
     def _leaves_out_short(self) -> bool:
         """Mesa's CPU driver leaves out a multisampled line that no border between two pixels crosses."""
         gl = self._context.driver
-        return self._makes_lines and b"llvmpipe" in gl.glGetString(_RENDERER) and gl.integer(_SAMPLES) > 1
-
-    @cached_property
-    def _makes_lines(self) -> bool:
-        """Geometry shaders may make lines of lines."""
-        return self.method in ("tessellate", "geometry") and self._context.driver.version >= (3, 2)
-
-    @property
-    def line_patch(self) -> Patch | None:
-        """How lines are drawn whose vertices GL makes for itself: in pieces, where a shader can do that."""
-        context = self._context
-        if not self.minds_edges or not self._makes_lines or context.own.current is not None:
-            return None
-        if (context.seen.placement.hud and self._options.hud != "panel") or stippled(context):
-            return None
-        return Patch("lines", "geometry", lengthened=self._leaves_out_short)
+        makes_lines = self.method in ("tessellate", "geometry") and gl.version >= (3, 2)
+        return makes_lines and b"llvmpipe" in gl.glGetString(_RENDERER) and gl.integer(_SAMPLES) > 1
 
     def _needed(self, extent: Extent, to_eye: Sequence[float]) -> Subdivision | None:
         tolerance, own = self.tolerance, self._context.own.current

@@ -62,6 +62,25 @@ glutDisplayFunc(display); glutMainLoop()
 """
 
 
+EVALUATED = """
+from OpenGL.GL import *
+from OpenGL.GLU import *
+from OpenGL.GLUT import *
+def display():
+    glClear(GL_COLOR_BUFFER_BIT)
+    glMatrixMode(GL_PROJECTION); glLoadIdentity(); gluPerspective(60, 1, .1, 100)
+    glMatrixMode(GL_MODELVIEW); glLoadIdentity()
+    glMap2f(GL_MAP2_VERTEX_3, 0, 1, 0, 1, [[[-9, -1, -9], [-9, -1, 9]], [[9, -1, -9], [9, -1, 9]]])
+    glEnable(GL_MAP2_VERTEX_3); glMapGrid2f(4, 0, 1, 4, 0, 1)
+    glEvalMesh2(GL_LINE, 0, 4, 0, 4)
+    glTranslatef(0, 0, -500); glScalef(.1, .1, .1)
+    glEvalMesh2(GL_FILL, 0, 4, 0, 4)
+    glutSwapBuffers()
+glutInit(); glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB); glutCreateWindow("evaluated")
+glutDisplayFunc(display); glutMainLoop()
+"""
+
+
 @pytest.fixture
 def explain(tmp_path):
     def explain(*options: str) -> subprocess.CompletedProcess[str]:
@@ -127,19 +146,30 @@ def test_what_the_cpu_cuts_and_what_two_eyes_take(explain):
     assert "each edge is made of straight pieces, within 0.5 pixels of its curve" in result.stdout
 
 
-def test_a_few_lines_and_quads_are_counted_as_the_program_gave_them(tmp_path):
-    (tmp_path / "few.py").write_text(FEW)
+def drawn_by(program, folder):
+    (folder / "few.py").write_text(program)
     command = [sys.executable, "-m", "domeshim", "explain", "--json", "--size", "128", "few.py"]
     result = subprocess.run(
         command,
-        cwd=tmp_path,
+        cwd=folder,
         env={**os.environ, "PYTHONPATH": str(ROOT)},
         capture_output=True,
         timeout=LONGEST,
     )
-    ways = [way for way in json.loads(result.stdout)["draws"] if way["kind"] == "draw"]
+    return [way for way in json.loads(result.stdout)["draws"] if way["kind"] != "rim"]
+
+
+def test_a_few_lines_and_quads_are_counted_as_the_program_gave_them(tmp_path):
+    ways = drawn_by(FEW, tmp_path)
     assert {way["primitives"] for way in ways} == {6, 1}
     assert all(way["generated"] > 20 for way in ways)
+
+
+def test_what_gl_evaluates_is_counted_once(tmp_path):
+    triangles, lines = sorted(drawn_by(EVALUATED, tmp_path), key=lambda way: way["primitives"])
+    assert lines["primitives"] == 2 * 5 * 4
+    assert lines["generated"] > 2 * lines["primitives"]
+    assert triangles["primitives"] == triangles["generated"] == 2 * 4 * 4
 
 
 def test_the_text_and_failures(explain, tmp_path):
