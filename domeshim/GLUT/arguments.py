@@ -1,4 +1,7 @@
-"""What programs may pass to GLUT's functions: what PyOpenGL's own wrappers take, refused in the same way."""
+"""What programs may pass to GLUT's functions: what PyOpenGL's own wrappers take, refused in the same way.
+
+Arguments too many are passed over, as there: hence *_more in all but what takes a callback.
+"""
 
 from __future__ import annotations
 

@@ -145,13 +145,13 @@ def glutTabletButtonFunc(function: Any) -> Any:
     return _register("glutTabletButtonFunc", "tablet_button", function)
 
 
-def glutIgnoreKeyRepeat(ignore: Any) -> None:
+def glutIgnoreKeyRepeat(ignore: Any, *_more: object) -> None:
     """Say whether the current window shall not hear of keys that repeat while they are held."""
     ignored = bool(integer("glutIgnoreKeyRepeat", "ignore", ignore))
     current_window("glutIgnoreKeyRepeat").ignore_repeat = ignored
 
 
-def glutSetKeyRepeat(repeatMode: Any) -> None:
+def glutSetKeyRepeat(repeatMode: Any, *_more: object) -> None:
     """Say the same for all windows: GLUT_KEY_REPEAT_OFF, _ON or _DEFAULT."""
     state = initialised_state("glutSetKeyRepeat")
     state.key_repeat = integer("glutSetKeyRepeat", "repeatMode", repeatMode)

@@ -65,75 +65,75 @@ def glyph_source() -> str:
     return typefaces().source
 
 
-def glutBitmapCharacter(font: object, character: object) -> None:
+def glutBitmapCharacter(font: object, character: object, *_more: object) -> None:
     """Draw one character at the raster position and move that on by its width."""
     face, code = _bitmap_face(font), _code(character)
     if face is not None and 0 < code < 256:
         _draw_bitmaps(face, [bytes([code])])
 
 
-def glutBitmapString(font: object, string: object) -> None:
+def glutBitmapString(font: object, string: object, *_more: object) -> None:
     """Draw text from the raster position on; a newline goes back below the line's start."""
     face, lines = _bitmap_face(font), _lines(string)
     if face is not None:
         _draw_bitmaps(face, lines)
 
 
-def glutBitmapWidth(font: object, character: object) -> int:
+def glutBitmapWidth(font: object, character: object, *_more: object) -> int:
     """How many pixels wide a character is."""
     face, code = _bitmap_face(font), _code(character)
     return face.glyphs[code].width if face is not None and 0 < code < 256 else 0
 
 
-def glutBitmapLength(font: object, string: object) -> int:
+def glutBitmapLength(font: object, string: object, *_more: object) -> int:
     """How many pixels wide a text's longest line is."""
     face, lines = _bitmap_face(font), _lines(string)
     return 0 if face is None else max(sum(face.glyphs[code].width for code in line) for line in lines)
 
 
-def glutBitmapHeight(font: object) -> int:
+def glutBitmapHeight(font: object, *_more: object) -> int:
     """How many pixels a line of text is high."""
     face = _bitmap_face(font)
     return 0 if face is None else face.height
 
 
-def glutStrokeCharacter(font: object, character: object) -> None:
+def glutStrokeCharacter(font: object, character: object, *_more: object) -> None:
     """Draw one character in lines at the origin, and translate the current matrix by its width."""
     face, code = _stroke_face(font), _code(character)
     if face is not None and 0 <= code < 256:
         _draw_strokes(face, (bytes([code]),))
 
 
-def glutStrokeString(font: object, string: object) -> None:
+def glutStrokeString(font: object, string: object, *_more: object) -> None:
     """Draw text in lines from the origin on, and translate the current matrix to its end."""
     face, lines = _stroke_face(font), _lines(string)
     if face is not None:
         _draw_strokes(face, lines)
 
 
-def glutStrokeWidthf(font: object, character: object) -> float:
+def glutStrokeWidthf(font: object, character: object, *_more: object) -> float:
     """How wide a character is, in the units of its own space."""
     face, code = _stroke_face(font), _code(character)
     return 0.0 if face is None else face.glyph(code).advance
 
 
-def glutStrokeWidth(font: object, character: object) -> int:
+def glutStrokeWidth(font: object, character: object, *_more: object) -> int:
     """How wide a character is, rounded."""
     return int(glutStrokeWidthf(font, character) + 0.5)
 
 
-def glutStrokeLengthf(font: object, string: object) -> float:
+def glutStrokeLengthf(font: object, string: object, *_more: object) -> float:
     """How wide a text's longest line is, in the units of the characters' own space."""
     face, lines = _stroke_face(font), _lines(string)
     return 0.0 if face is None else max(sum(face.glyph(code).advance for code in line) for line in lines)
 
 
-def glutStrokeLength(font: object, string: object) -> int:
+def glutStrokeLength(font: object, string: object, *_more: object) -> int:
     """How wide a text's longest line is, rounded."""
     return int(glutStrokeLengthf(font, string) + 0.5)
 
 
-def glutStrokeHeight(font: object) -> float:
+def glutStrokeHeight(font: object, *_more: object) -> float:
     """How high a line of text is, in the units of the characters' own space."""
     face = _stroke_face(font)
     return 0.0 if face is None else face.height

@@ -88,7 +88,7 @@ def _take_geometry(state: GlutState, geometry: str) -> None:
         state.init_position = (int(x), int(y))
 
 
-def glutInitDisplayMode(displayMode: Any) -> None:
+def glutInitDisplayMode(displayMode: Any, *_more: object) -> None:
     """Say what the next windows' frame buffers hold: GLUT_DOUBLE | GLUT_RGB | GLUT_DEPTH and the like."""
     state = glut_state()
     state.display_mode = integer("glutInitDisplayMode", "displayMode", displayMode)
@@ -96,7 +96,7 @@ def glutInitDisplayMode(displayMode: Any) -> None:
     _mention_index_mode(state)
 
 
-def glutInitDisplayString(displayMode: Any) -> None:
+def glutInitDisplayString(displayMode: Any, *_more: object) -> None:
     """Say the same in words: "rgb double depth>=16 samples~4"."""
     state = glut_state()
     mode = 0
@@ -119,7 +119,7 @@ def _mention_index_mode(state: GlutState) -> None:
         state.say_once("colour-index windows do not exist any more; this one gets red, green and blue")
 
 
-def glutInitWindowSize(width: Any, height: Any) -> None:
+def glutInitWindowSize(width: Any, height: Any, *_more: object) -> None:
     """Give the next windows' size in pixels."""
     state = glut_state()
     state.init_size = (
@@ -128,7 +128,7 @@ def glutInitWindowSize(width: Any, height: Any) -> None:
     )
 
 
-def glutInitWindowPosition(x: Any, y: Any) -> None:
+def glutInitWindowPosition(x: Any, y: Any, *_more: object) -> None:
     """Give the next windows' place; negative numbers leave it to the window manager."""
     state = glut_state()
     state.init_position = (
@@ -137,14 +137,14 @@ def glutInitWindowPosition(x: Any, y: Any) -> None:
     )
 
 
-def glutInitContextVersion(majorVersion: Any, minorVersion: Any) -> None:
+def glutInitContextVersion(majorVersion: Any, minorVersion: Any, *_more: object) -> None:
     """Note the GL version wanted; a compatibility context of the highest version is what one gets."""
     state = glut_state()
     state.context["major"] = integer("glutInitContextVersion", "majorVersion", majorVersion)
     state.context["minor"] = integer("glutInitContextVersion", "minorVersion", minorVersion)
 
 
-def glutInitContextFlags(flags: Any) -> None:
+def glutInitContextFlags(flags: Any, *_more: object) -> None:
     """Note the context flags wanted; GLUT_FORWARD_COMPATIBLE is not granted."""
     state = glut_state()
     state.context["flags"] = integer("glutInitContextFlags", "flags", flags)
@@ -152,7 +152,7 @@ def glutInitContextFlags(flags: Any) -> None:
         state.say_once("a forward-compatible context was asked for; this one is a compatibility context")
 
 
-def glutInitContextProfile(profile: Any) -> None:
+def glutInitContextProfile(profile: Any, *_more: object) -> None:
     """Note the profile wanted; a compatibility context, which can do all that a core one can, is given."""
     state = glut_state()
     state.context["profile"] = integer("glutInitContextProfile", "profile", profile)

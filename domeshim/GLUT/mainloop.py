@@ -23,7 +23,7 @@ PATIENCE = 1.0
 _SAME_MOMENT = 1e-9
 
 
-def glutMainLoop() -> None:
+def glutMainLoop(*_more: object) -> None:
     """Serve the program until its last window is closed or it leaves the loop.
 
     Then the program ends with status 0, or goes on where it chose so by GLUT_ACTION_ON_WINDOW_CLOSE.
@@ -48,7 +48,7 @@ def glutMainLoop() -> None:
         raise SystemExit(0)
 
 
-def glutMainLoopEvent() -> None:
+def glutMainLoopEvent(*_more: object) -> None:
     """Serve the program once, without waiting and without its idle callback."""
     state = initialised_state("glutMainLoopEvent")
     _round(state, 0.0)
@@ -56,17 +56,17 @@ def glutMainLoopEvent() -> None:
         _turn_virtual_clock(state, idled=False)
 
 
-def glutCheckLoop() -> None:
+def glutCheckLoop(*_more: object) -> None:
     """Serve the program once, as Apple's GLUT calls it."""
     glutMainLoopEvent()
 
 
-def glutLeaveMainLoop() -> None:
+def glutLeaveMainLoop(*_more: object) -> None:
     """End the main loop once this round is over."""
     initialised_state("glutLeaveMainLoop").running = False
 
 
-def glutExit() -> None:
+def glutExit(*_more: object) -> None:
     """Close all windows; the program goes on."""
     close_all(glut_state())
     sessions.current().glut = None
@@ -77,7 +77,7 @@ def glutTimerFunc(milliseconds: Any, function: Any, value: Any) -> None:
     state = initialised_state("glutTimerFunc")
     wait = integer("glutTimerFunc", "milliseconds", milliseconds) & 0xFFFFFFFF
     wanted = callback("glutTimerFunc", function)
-    number = integer("glutTimerFunc", "value", value)
+    number = 0 if value is None else integer("glutTimerFunc", "value", value)
     if wanted is None:
         return
     state.timers_made += 1

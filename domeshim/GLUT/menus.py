@@ -20,7 +20,7 @@ def glutCreateMenu(func: Any) -> int:
     return menu.number
 
 
-def glutDestroyMenu(menu: Any) -> None:
+def glutDestroyMenu(menu: Any, *_more: object) -> None:
     """Forget a menu, and take it off the buttons and out of the menus that it is in."""
     state = initialised_state("glutDestroyMenu")
     gone = state.menus.pop(integer("glutDestroyMenu", "menu", menu), None)
@@ -37,34 +37,34 @@ def glutDestroyMenu(menu: Any) -> None:
         gone.destroyed()
 
 
-def glutSetMenu(menu: Any) -> None:
+def glutSetMenu(menu: Any, *_more: object) -> None:
     """Make the menu of that number current."""
     state = initialised_state("glutSetMenu")
     state.menu = state.menus.get(integer("glutSetMenu", "menu", menu), state.menu)
 
 
-def glutGetMenu() -> int:
+def glutGetMenu(*_more: object) -> int:
     """Return the current menu's number, 0 where there is none."""
     menu = initialised_state("glutGetMenu").menu
     return menu.number if menu else 0
 
 
-def glutAddMenuEntry(label: Any, value: Any) -> None:
+def glutAddMenuEntry(label: Any, value: Any, *_more: object) -> None:
     """Put an entry at the current menu's end."""
     _put("glutAddMenuEntry", None, label, value, False)
 
 
-def glutAddSubMenu(label: Any, subMenu: Any) -> None:
+def glutAddSubMenu(label: Any, subMenu: Any, *_more: object) -> None:
     """Put an entry that opens another menu at the current menu's end."""
     _put("glutAddSubMenu", None, label, subMenu, True)
 
 
-def glutChangeToMenuEntry(item: Any, label: Any, value: Any) -> None:
+def glutChangeToMenuEntry(item: Any, label: Any, value: Any, *_more: object) -> None:
     """Make the current menu's item of that number (1 the first) this entry."""
     _put("glutChangeToMenuEntry", item, label, value, False)
 
 
-def glutChangeToSubMenu(item: Any, label: Any, value: Any) -> None:
+def glutChangeToSubMenu(item: Any, label: Any, value: Any, *_more: object) -> None:
     """Make the current menu's item of that number (1 the first) open another menu."""
     _put("glutChangeToSubMenu", item, label, value, True)
 
@@ -82,7 +82,7 @@ def _put(function: str, item: Any, label: Any, value: Any, opens: bool) -> None:
             state.menu.items[number - 1] = entry
 
 
-def glutRemoveMenuItem(item: Any) -> None:
+def glutRemoveMenuItem(item: Any, *_more: object) -> None:
     """Take the current menu's item of that number (1 the first) out."""
     state = initialised_state("glutRemoveMenuItem")
     number = integer("glutRemoveMenuItem", "item", item)
@@ -90,7 +90,7 @@ def glutRemoveMenuItem(item: Any) -> None:
         del state.menu.items[number - 1]
 
 
-def glutAttachMenu(button: Any) -> None:
+def glutAttachMenu(button: Any, *_more: object) -> None:
     """Open the current menu when that mouse button is pressed in the current window."""
     number = integer("glutAttachMenu", "button", button)
     window = current_window("glutAttachMenu")
@@ -99,7 +99,7 @@ def glutAttachMenu(button: Any) -> None:
         window.menus[number] = menu.number
 
 
-def glutDetachMenu(button: Any) -> None:
+def glutDetachMenu(button: Any, *_more: object) -> None:
     """Give that mouse button of the current window back to the mouse callback."""
     current_window("glutDetachMenu").menus.pop(integer("glutDetachMenu", "button", button), None)
 
@@ -131,7 +131,7 @@ def glutSetMenuData(data: Any) -> None:
         menu.data = data
 
 
-def glutGetMenuData() -> Any:
+def glutGetMenuData(*_more: object) -> Any:
     """Return what the program kept with the current menu, or None."""
     menu = initialised_state("glutGetMenuData").menu
     return menu.data if menu else None

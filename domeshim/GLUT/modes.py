@@ -17,7 +17,7 @@ from domeshim.GLUT.windows import glutFullScreen
 _GAME_MODE = re.compile(r"(?:(\d+)x(\d+))?(?::(\d+))?(?:@(\d+))?")
 
 
-def glutGameModeString(string: Any) -> None:
+def glutGameModeString(string: Any, *_more: object) -> None:
     """Note the size, depth and rate that a game wants: "800x600:32@60"."""
     state = initialised_state("glutGameModeString")
     words = text("glutGameModeString", "string", string)
@@ -32,7 +32,7 @@ def glutGameModeString(string: Any) -> None:
     }
 
 
-def glutEnterGameMode() -> int:
+def glutEnterGameMode(*_more: object) -> int:
     """Open a window over the whole screen and return its number; the screen's own resolution stays."""
     state = initialised_state("glutEnterGameMode")
     if state.game_window is not None:
@@ -45,7 +45,7 @@ def glutEnterGameMode() -> int:
     return state.game_window.number
 
 
-def glutLeaveGameMode() -> None:
+def glutLeaveGameMode(*_more: object) -> None:
     """Close the window over the whole screen and go back to the one before."""
     state = initialised_state("glutLeaveGameMode")
     if state.game_window is None:
@@ -56,7 +56,7 @@ def glutLeaveGameMode() -> None:
         make_current(state, state.before_game)
 
 
-def glutGameModeGet(query: Any) -> int:
+def glutGameModeGet(query: Any, *_more: object) -> int:
     """Return what is known of the game mode: GLUT_GAME_MODE_ACTIVE and the like; -1 for anything else."""
     state = initialised_state("glutGameModeGet")
     number = integer("glutGameModeGet", "query", query)
@@ -82,67 +82,67 @@ def _game_size(state: GlutState) -> tuple[int, int]:
 # Overlays: glutLayerGet(GLUT_OVERLAY_POSSIBLE) says that there are none, as on all of today's screens.
 
 
-def glutEstablishOverlay() -> None:
+def glutEstablishOverlay(*_more: object) -> None:
     """End the program: it asks for what glutLayerGet says is not there."""
     current_window("glutEstablishOverlay")
     glut_state().fail("glutEstablishOverlay(): there are no overlays.")
 
 
-def glutRemoveOverlay() -> None:
+def glutRemoveOverlay(*_more: object) -> None:
     """Do nothing: there is no overlay."""
     current_window("glutRemoveOverlay")
 
 
-def glutUseLayer(layer: Any) -> None:
+def glutUseLayer(layer: Any, *_more: object) -> None:
     """Do nothing: the normal layer is the only one."""
     integer("glutUseLayer", "layer", layer)
     current_window("glutUseLayer")
 
 
-def glutShowOverlay() -> None:
+def glutShowOverlay(*_more: object) -> None:
     """Do nothing: there is no overlay."""
     current_window("glutShowOverlay")
 
 
-def glutHideOverlay() -> None:
+def glutHideOverlay(*_more: object) -> None:
     """Do nothing: there is no overlay."""
     current_window("glutHideOverlay")
 
 
-def glutPostOverlayRedisplay() -> None:
+def glutPostOverlayRedisplay(*_more: object) -> None:
     """Do nothing: there is no overlay."""
     current_window("glutPostOverlayRedisplay")
 
 
-def glutPostWindowOverlayRedisplay(window: Any) -> None:
+def glutPostWindowOverlayRedisplay(window: Any, *_more: object) -> None:
     """Do nothing: there is no overlay."""
     integer("glutPostWindowOverlayRedisplay", "window", window)
 
 
-def glutSetupVideoResizing() -> int:
+def glutSetupVideoResizing(*_more: object) -> int:
     """Return 0: video resizing went with the machines that had it."""
     return 0
 
 
-def glutStopVideoResizing() -> None:
+def glutStopVideoResizing(*_more: object) -> None:
     """Do nothing: see glutSetupVideoResizing."""
 
 
-def glutVideoResize(x: Any, y: Any, width: Any, height: Any) -> None:
+def glutVideoResize(x: Any, y: Any, width: Any, height: Any, *_more: object) -> None:
     """Do nothing: see glutSetupVideoResizing."""
 
 
-def glutVideoPan(x: Any, y: Any, width: Any, height: Any) -> None:
+def glutVideoPan(x: Any, y: Any, width: Any, height: Any, *_more: object) -> None:
     """Do nothing: see glutSetupVideoResizing."""
 
 
-def glutVideoResizeGet(query: Any) -> int:
+def glutVideoResizeGet(query: Any, *_more: object) -> int:
     """Return 0, GLUT_VIDEO_RESIZE_POSSIBLE's answer among others: see glutSetupVideoResizing."""
     integer("glutVideoResizeGet", "query", query)
     return 0
 
 
-def glutSetColor(color: Any, red: Any, green: Any, blue: Any) -> None:
+def glutSetColor(color: Any, red: Any, green: Any, blue: Any, *_more: object) -> None:
     """Do nothing but check: windows have no colour map."""
     integer("glutSetColor", "color", color)
     for name, value in (("red", red), ("green", green), ("blue", blue)):
@@ -150,7 +150,7 @@ def glutSetColor(color: Any, red: Any, green: Any, blue: Any) -> None:
     current_window("glutSetColor")
 
 
-def glutGetColor(color: Any, component: Any) -> float:
+def glutGetColor(color: Any, component: Any, *_more: object) -> float:
     """Return -1, as for any colour outside the map: windows have none."""
     integer("glutGetColor", "color", color)
     integer("glutGetColor", "component", component)
@@ -158,7 +158,7 @@ def glutGetColor(color: Any, component: Any) -> float:
     return -1.0
 
 
-def glutCopyColormap(window: Any) -> None:
+def glutCopyColormap(window: Any, *_more: object) -> None:
     """Do nothing but check: windows have no colour map."""
     integer("glutCopyColormap", "window", window)
     current_window("glutCopyColormap")

@@ -102,7 +102,7 @@ _LAYERS = {
 }
 
 
-def glutGet(query: Any) -> int:
+def glutGet(query: Any, *_more: object) -> int:
     """Return a number about GLUT, the screen or the current window; 0 for a window where there is none.
 
     An unknown query is told of on stderr and answered with -1.
@@ -130,7 +130,7 @@ def _gl(name: str) -> int:
     return int(GL.glGetIntegerv(getattr(GL, name)))
 
 
-def glutSetOption(option_flag: Any, value: Any) -> None:
+def glutSetOption(option_flag: Any, value: Any, *_more: object) -> None:
     """Set GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_RENDERING_CONTEXT or what glutInit... functions set."""
     state = glut_state()
     number = integer("glutSetOption", "option_flag", option_flag)
@@ -153,7 +153,7 @@ def glutSetOption(option_flag: Any, value: Any) -> None:
         state.options[number] = setting
 
 
-def glutDeviceGet(query: Any) -> int:
+def glutDeviceGet(query: Any, *_more: object) -> int:
     """Return what there is of keyboards, mice and rarer things; -1 for an unknown query."""
     state = initialised_state("glutDeviceGet")
     number = integer("glutDeviceGet", "query", query)
@@ -165,7 +165,7 @@ def glutDeviceGet(query: Any) -> int:
     return -1
 
 
-def glutLayerGet(query: Any) -> int:
+def glutLayerGet(query: Any, *_more: object) -> int:
     """Return that there is a normal layer only; -1 for an unknown query."""
     state = initialised_state("glutLayerGet")
     number = integer("glutLayerGet", "query", query)
@@ -175,7 +175,7 @@ def glutLayerGet(query: Any) -> int:
     return -1
 
 
-def glutGetModifiers() -> int:
+def glutGetModifiers(*_more: object) -> int:
     """Return GLUT_ACTIVE_... of the keyboard or mouse event whose callback runs; -1 outside of those."""
     state = initialised_state("glutGetModifiers")
     if state.modifiers is None:
@@ -184,7 +184,7 @@ def glutGetModifiers() -> int:
     return state.modifiers
 
 
-def glutGetModeValues(mode: Any, size: Any) -> list[int]:
+def glutGetModeValues(mode: Any, size: Any, *_more: object) -> list[int]:
     """Return the sample counts that may be asked for (GLUT_MULTISAMPLE), also their number in size."""
     number = integer("glutGetModeValues", "mode", mode)
     values = [2, 4, 8] if number == c.GLUT_MULTISAMPLE else []
@@ -193,7 +193,7 @@ def glutGetModeValues(mode: Any, size: Any) -> list[int]:
     return values
 
 
-def glutExtensionSupported(extension: Any) -> int:
+def glutExtensionSupported(extension: Any, *_more: object) -> int:
     """Return 1 where the current context has the GL extension of that name, else 0."""
     from OpenGL import GL  # noqa: PLC0415 - its functions as they are overlaid now
 
@@ -203,7 +203,7 @@ def glutExtensionSupported(extension: Any) -> int:
     return int(name.encode() in (GL.glGetString(GL.GL_EXTENSIONS) or b"").split())
 
 
-def glutGetProcAddress(procName: Any) -> int | None:
+def glutGetProcAddress(procName: Any, *_more: object) -> int | None:
     """Return the address of the GL function of that name, or None."""
     from OpenGL.platform import PLATFORM  # noqa: PLC0415 - the program's imports of OpenGL come first
 
@@ -212,7 +212,7 @@ def glutGetProcAddress(procName: Any) -> int | None:
     return int(found) if found else None
 
 
-def glutReportErrors() -> None:
+def glutReportErrors(*_more: object) -> None:
     """Print each GL error that is waiting on stderr."""
     from OpenGL import GL, GLU  # noqa: PLC0415 - their functions as they are overlaid now
 

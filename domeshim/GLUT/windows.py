@@ -15,7 +15,7 @@ from domeshim.GLUT.opening import open_subwindow, open_window
 from domeshim.GLUT.state import GlutWindow, current_window, glut_state, initialised_state
 
 
-def glutCreateWindow(title: Any) -> int:
+def glutCreateWindow(title: Any, *_more: object) -> int:
     """Open a window with a context of its own, make it current and return its number."""
     name = text("glutCreateWindow", "title", title)
     state = initialised_state("glutCreateWindow")
@@ -26,7 +26,7 @@ def glutCreateWindow(title: Any) -> int:
     return window.number
 
 
-def glutCreateSubWindow(window: Any, x: Any, y: Any, width: Any, height: Any) -> int:
+def glutCreateSubWindow(window: Any, x: Any, y: Any, width: Any, height: Any, *_more: object) -> int:
     """Open a window with a context of its own inside another, make it current and return its number.
 
     x, y: from the left and the top of that window; negative, its right or bottom edge that far from the
@@ -54,13 +54,13 @@ def _span(start: int, length: int, whole: int) -> tuple[int, int]:
     return (start, length) if length >= 0 else (start + length, -length)
 
 
-def glutDestroyWindow(window: Any) -> None:
+def glutDestroyWindow(window: Any, *_more: object) -> None:
     """Close the window and those inside it once this round of the main loop is over."""
     if (found := _numbered("glutDestroyWindow", window)) is not None:
         mark_closed(glut_state(), found)
 
 
-def glutSetWindow(window: Any) -> None:
+def glutSetWindow(window: Any, *_more: object) -> None:
     """Make the window of that number current."""
     if (found := _numbered("glutSetWindow", window)) is not None:
         make_current(glut_state(), found)
@@ -75,25 +75,25 @@ def _numbered(function: str, window: Any) -> GlutWindow | None:
     return state.windows.get(number)
 
 
-def glutGetWindow() -> int:
+def glutGetWindow(*_more: object) -> int:
     """Return the current window's number, 0 where there is none."""
     current = glut_state().current
     return current.number if current else 0
 
 
-def glutSetWindowTitle(title: Any) -> None:
+def glutSetWindowTitle(title: Any, *_more: object) -> None:
     """Name the current window."""
     name = text("glutSetWindowTitle", "title", title)
     current_window("glutSetWindowTitle").surface.set_title(name)
 
 
-def glutSetIconTitle(title: Any) -> None:
+def glutSetIconTitle(title: Any, *_more: object) -> None:
     """Do nothing but check: an icon is named as its window is."""
     text("glutSetIconTitle", "title", title)
     current_window("glutSetIconTitle")
 
 
-def glutReshapeWindow(width: Any, height: Any) -> None:
+def glutReshapeWindow(width: Any, height: Any, *_more: object) -> None:
     """Ask for another size of the current window; the reshape callback tells what came of it."""
     size = (integer("glutReshapeWindow", "width", width), integer("glutReshapeWindow", "height", height))
     window = current_window("glutReshapeWindow")
@@ -111,7 +111,7 @@ def glutReshapeWindow(width: Any, height: Any) -> None:
         window.surface.resize(*size)
 
 
-def glutPositionWindow(x: Any, y: Any) -> None:
+def glutPositionWindow(x: Any, y: Any, *_more: object) -> None:
     """Put the current window's top left corner at (x, y) of the screen, or of the window around it."""
     place = (integer("glutPositionWindow", "x", x), integer("glutPositionWindow", "y", y))
     window = current_window("glutPositionWindow")
@@ -124,7 +124,7 @@ def glutPositionWindow(x: Any, y: Any) -> None:
         window.surface.move(*place)
 
 
-def glutFullScreen() -> None:
+def glutFullScreen(*_more: object) -> None:
     """Cover the screen with the current window; where the frame's size is fixed, leave it as it is."""
     window = current_window("glutFullScreen")
     session = sessions.current()
@@ -137,12 +137,12 @@ def glutFullScreen() -> None:
     window.full_screen = True
 
 
-def glutLeaveFullScreen() -> None:
+def glutLeaveFullScreen(*_more: object) -> None:
     """Give the current window back the size and place that it had."""
     _leave_full_screen(current_window("glutLeaveFullScreen"))
 
 
-def glutFullScreenToggle() -> None:
+def glutFullScreenToggle(*_more: object) -> None:
     """Cover the screen, or leave it again."""
     if current_window("glutFullScreenToggle").full_screen:
         glutLeaveFullScreen()
@@ -156,27 +156,27 @@ def _leave_full_screen(window: GlutWindow) -> None:
         window.full_screen = False
 
 
-def glutShowWindow() -> None:
+def glutShowWindow(*_more: object) -> None:
     """Show the current window."""
     current_window("glutShowWindow").surface.set_visible(True)
 
 
-def glutHideWindow() -> None:
+def glutHideWindow(*_more: object) -> None:
     """Hide the current window."""
     current_window("glutHideWindow").surface.set_visible(False)
 
 
-def glutIconifyWindow() -> None:
+def glutIconifyWindow(*_more: object) -> None:
     """Shrink the current window to an icon."""
     current_window("glutIconifyWindow").surface.iconify()
 
 
-def glutPushWindow() -> None:
+def glutPushWindow(*_more: object) -> None:
     """Put the current window under all others, one inside another under those beside it."""
     _order(current_window("glutPushWindow"), highest=False)
 
 
-def glutPopWindow() -> None:
+def glutPopWindow(*_more: object) -> None:
     """Put the current window over all others, one inside another over those beside it."""
     _order(current_window("glutPopWindow"), highest=True)
 
@@ -193,7 +193,7 @@ def _order(window: GlutWindow, *, highest: bool) -> None:
     outermost(state, window).stale = True
 
 
-def glutSetCursor(cursor: Any) -> None:
+def glutSetCursor(cursor: Any, *_more: object) -> None:
     """Show a pointer of that GLUT_CURSOR_... shape over the current window."""
     number = integer("glutSetCursor", "cursor", cursor)
     window = current_window("glutSetCursor")
@@ -202,7 +202,7 @@ def glutSetCursor(cursor: Any) -> None:
         show_cursor(glut_state(), window)
 
 
-def glutWarpPointer(x: Any, y: Any) -> None:
+def glutWarpPointer(x: Any, y: Any, *_more: object) -> None:
     """Put the pointer at (x, y) of the current window, in the program's pixels."""
     place = (integer("glutWarpPointer", "x", x), integer("glutWarpPointer", "y", y))
     window = current_window("glutWarpPointer")
@@ -214,7 +214,7 @@ def glutPostRedisplay(*_more: object) -> None:
     current_window("glutPostRedisplay").redisplay = True
 
 
-def glutPostWindowRedisplay(window: Any) -> None:
+def glutPostWindowRedisplay(window: Any, *_more: object) -> None:
     """Have that window's display callback called in the next round of the main loop."""
     if (found := _numbered("glutPostWindowRedisplay", window)) is not None:
         found.redisplay = True
@@ -225,6 +225,6 @@ def glutSetWindowData(data: Any) -> None:
     current_window("glutSetWindowData").data = data
 
 
-def glutGetWindowData() -> Any:
+def glutGetWindowData(*_more: object) -> Any:
     """Return what the program kept with the current window, or None."""
     return current_window("glutGetWindowData").data

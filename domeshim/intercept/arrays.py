@@ -18,7 +18,7 @@ _POINTS = 0
 def draw_arrays(dome: Dome, original: Call) -> Call:
     """glDrawArrays."""
 
-    def call(mode: int, first: int, count: int) -> Any:
+    def call(mode: int, first: int, count: int, *_more: object) -> Any:
         return _draw(dome, mode, lambda: range(first, first + count), lambda: original(mode, first, count))
 
     return call

@@ -53,7 +53,7 @@ def _quadrics(dome: Dome, originals: Mapping[str, Call], unseen: Mapping[str, Ca
 
 
 def _perspective(dome: Dome, original: Call) -> Call:
-    def call(fovy: float, aspect: float, zNear: float, zFar: float) -> Any:
+    def call(fovy: float, aspect: float, zNear: float, zFar: float, *_more: object) -> Any:
         if dome.context is not None:
             dome.context.perspective_set(perspective(fovy, aspect, zNear, zFar))
         return original(fovy, aspect, zNear, zFar)

@@ -231,6 +231,18 @@ def test_wrong_arguments_are_refused_as_by_stock(window: GlutWindow, call: Any, 
         call()
 
 
+def test_arguments_too_many_are_passed_over_as_by_stock(glut_session: Session) -> None:
+    GLUT.glutInit()
+    GLUT.glutInitDisplayMode(GLUT.GLUT_DOUBLE, GLUT.GLUT_DEPTH)
+    GLUT.glutInitWindowSize(300, 200, 1)
+    window = GLUT.glutCreateWindow("title", 300, 200)
+    GLUT.glutSolidCube(1, 1, 1)
+    GLUT.glutSolidIcosahedron(1)
+    GLUT.glutBitmapCharacter(GLUT.GLUT_BITMAP_9_BY_15, 65, 0)
+    GLUT.glutSetWindow(window, 0)
+    assert GLUT.glutGet(GLUT.GLUT_INIT_WINDOW_WIDTH, 0) == 300
+
+
 def test_integers_of_all_kinds_are_taken(window: GlutWindow) -> None:
     GLUT.glutInitWindowSize(np.int32(300), ctypes.c_int(200))
     assert GLUT.glutGet(GLUT.GLUT_INIT_WINDOW_WIDTH) == 300

@@ -237,3 +237,21 @@ def test_scaled_images_and_mipmaps(beside: Beside) -> None:
         return scaled.tolist()
 
     beside.equal(scene, wrong=0.006)
+
+
+def test_arguments_too_many_are_passed_over(beside: Beside) -> None:
+    def scene(gl: GL) -> None:
+        looking(gl)
+        gl.glMatrixMode(gl.GL_PROJECTION)
+        gl.glLoadIdentity()
+        gl.gluPerspective(FOV, 1, 0.5, 100, 0)
+        gl.glMatrixMode(gl.GL_MODELVIEW)
+        q = gl.gluNewQuadric(0)
+        gl.gluQuadricTexture(q, gl.GL_TRUE, 0)
+        gl.gluSphere(q, 0.7, 16, 12, 0)
+        gl.gluDeleteQuadric(q, 0)
+        gl.glEnableClientState(gl.GL_VERTEX_ARRAY)
+        gl.glVertexPointer(2, gl.GL_FLOAT, 0, np.array([(0.8, 0.8), (0.9, 0.8), (0.9, 0.9)], np.float32))
+        gl.glDrawArrays(gl.GL_TRIANGLES, 0, 3, 0)
+
+    beside.equal(scene, wrong=0.004)

@@ -81,7 +81,7 @@ def _drawing(dome: Dome, name: str, original: Call, unseen: Call, known: Known) 
 
 
 def _new(original: Call, known: Known) -> Call:
-    def call() -> Any:
+    def call(*_more: object) -> Any:
         quadric = original()
         known[_address(quadric)] = Settings()
         return quadric
@@ -90,7 +90,7 @@ def _new(original: Call, known: Known) -> Call:
 
 
 def _delete(original: Call, known: Known) -> Call:
-    def call(quadric: Any) -> Any:
+    def call(quadric: Any, *_more: object) -> Any:
         address = _address(quadric)
         result = original(quadric)
         known.pop(address, None)
@@ -102,7 +102,7 @@ def _delete(original: Call, known: Known) -> Call:
 def _setting(name: str, original: Call, known: Known) -> Call:
     field, taken = _SETTINGS[name]
 
-    def call(quadric: Any, value: Any) -> Any:
+    def call(quadric: Any, value: Any, *_more: object) -> Any:
         result = original(quadric, value)
         address = _address(quadric)
         settings = known.get(address)
