@@ -143,6 +143,18 @@ _SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     ),
     "glGetUniformfv": (None, (_UINT, _INT, POINTER(c_float))),
     "glGetUniformiv": (None, (_UINT, _INT, POINTER(c_int))),
+    "glGetUniformuiv": (None, (_UINT, _INT, POINTER(c_uint))),
+    "glGetActiveUniformBlockName": (None, (_UINT, _UINT, _INT, POINTER(c_int), c_char_p)),
+    "glGetActiveUniformBlockiv": (None, (_UINT, _UINT, _ENUM, POINTER(c_int))),
+    "glGetUniformBlockIndex": (_UINT, (_UINT, c_char_p)),
+    "glUniformBlockBinding": (None, (_UINT, _UINT, _UINT)),
+    "glGetActiveAttrib": (
+        None,
+        (_UINT, _UINT, _INT, POINTER(c_int), POINTER(c_int), POINTER(_ENUM), c_char_p),
+    ),
+    "glGetAttribLocation": (_INT, (_UINT, c_char_p)),
+    "glGetFragDataLocation": (_INT, (_UINT, c_char_p)),
+    "glBindFragDataLocation": (None, (_UINT, _UINT, c_char_p)),
     "glGenQueries": (None, (_INT, POINTER(c_uint))),
     "glBeginQuery": (None, (_ENUM, _UINT)),
     "glEndQuery": (None, (_ENUM,)),
@@ -154,7 +166,11 @@ _SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "glBindBufferBase": (None, (_ENUM, _UINT, _UINT)),
     **{f"glUniform{n}fv": (None, (_INT, _INT, POINTER(c_float))) for n in range(1, 5)},
     **{f"glUniform{n}iv": (None, (_INT, _INT, POINTER(c_int))) for n in range(1, 5)},
-    **{f"glUniformMatrix{n}fv": (None, (_INT, _INT, c_ubyte, POINTER(c_float))) for n in range(2, 5)},
+    **{f"glUniform{n}uiv": (None, (_INT, _INT, POINTER(c_uint))) for n in range(1, 5)},
+    **{
+        f"glUniformMatrix{n}fv": (None, (_INT, _INT, c_ubyte, POINTER(c_float)))
+        for n in (2, 3, 4, "2x3", "2x4", "3x2", "3x4", "4x2", "4x3")
+    },
     "glBindAttribLocation": (None, (_UINT, _UINT, c_char_p)),
     "glVertexAttribPointer": (None, (_UINT, _INT, _ENUM, c_ubyte, _INT, _POINTER)),
     "glEnableVertexAttribArray": (None, (_UINT,)),

@@ -27,7 +27,6 @@ if TYPE_CHECKING:
     from domeshim.window.contract import Window
 
 _IMPOSSIBLE = {
-    "own": ["subdivision: its long edges stay straight"],
     "unbent": ["bending: it is drawn as on the monitor"],
 }
 """What cannot be had in a way to draw of each kind."""
@@ -123,7 +122,7 @@ class Observer(Photographer):
             return "draw"
         if program in self._driver.owners:
             return str(self._driver.owners[program])
-        return "own" if context.own.named(program) is not None else "unbent"
+        return "own" if context.own.draws_by(program) else "unbent"
 
 
 def main(arguments: Sequence[str]) -> None:

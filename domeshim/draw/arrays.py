@@ -10,17 +10,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from domeshim.draw.extent import Extent
+from domeshim.draw.own_patches import draw_parts, own_parts
 from domeshim.draw.primitives import extent_of, many_primitives
 from domeshim.draw.standing import AtOnce, Standing
 from domeshim.draw.subdivide import subdivide
+from domeshim.record.runs import Block
 
 if TYPE_CHECKING:
     from domeshim.draw.submit import Submitter
-    from domeshim.record.arrays import ArrayDraw
+    from domeshim.record.arrays import ArrayDraw, ArrayReader, Elements
     from domeshim.record.lists import DisplayLists
     from domeshim.state.context import DomeContext
 
 _MOST_KEPT = 1024
+_RESTARTS = (0x8F9D, 0x8D69)
 _ELEMENT_BUFFER, _ELEMENT_BUFFER_BINDING, _UNSIGNED_INT = 0x8893, 0x8895, 0x1405
 
 
@@ -35,10 +38,13 @@ class ArrayDraws:
         """Of draws from the program's memory, which may be written at any time."""
         self._standing: dict[object, Standing] = {}
         """Draws from buffers, of which all writing is heard of."""
+        self._numbers: dict[Elements, NDArray[np.int64]] = {}
+        """Of those, by the program's own shader: the vertices' numbers."""
 
     def buffers_changed(self) -> None:
         """The program has written to a buffer or deleted one."""
         self._extents.clear()
+        self._numbers.clear()
         for standing in self._standing.values():
             standing.delete()
         self._standing.clear()
@@ -48,6 +54,40 @@ class ArrayDraws:
         if len(self._extents) + len(self._standing) >= _MOST_KEPT:
             self.buffers_changed()
         return self._standing_of(draw).draw() if draw.buffered else self._subdivide_moving(draw)
+
+    def subdivide_own(
+        self, mode: int, indices: range | Elements, placed: ArrayDraw | None, reader: ArrayReader
+    ) -> bool:
+        """Draw by the program's own shader, in pieces; False where GL's own draw will do.
+
+        placed: the draw as far as it is from GL's own arrays, if it is.
+        """
+        numbers = partial(reader.numbers, indices)
+        if isinstance(indices, range):
+            count = len(indices)
+        else:
+            if any(self._context.driver.glIsEnabled(restart) for restart in _RESTARTS):
+                return False  # one of the numbers ends a strip
+            count = indices.count
+            if indices.buffer:
+                numbers = partial(self._numbers_in_buffer, indices, reader)
+        extent = partial(self._extent_of, placed)
+        parts = own_parts(self._context, (Block(mode, 0, count),), extent)
+        if parts is not None:
+            draw_parts(self._context, parts, partial(self._by_number, cache(numbers)))
+        return parts is not None
+
+    def _extent_of(self, placed: ArrayDraw | None) -> Extent | None:
+        if placed is None:
+            return None
+        if placed.key not in self._extents:
+            self._extents[placed.key] = extent_of(placed.read())
+        return self._extents[placed.key]
+
+    def _numbers_in_buffer(self, elements: Elements, reader: ArrayReader) -> NDArray[np.int64]:
+        if elements not in self._numbers:
+            self._numbers[elements] = reader.numbers(elements)
+        return self._numbers[elements]
 
     def _standing_of(self, draw: ArrayDraw) -> Standing:
         known = self._standing.get(draw.key)

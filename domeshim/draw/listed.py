@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from domeshim.draw.own_patches import draw_parts, own_parts
 from domeshim.draw.standing import Standing
 from domeshim.draw.upload import Upload
 
@@ -52,7 +53,10 @@ class ListedMesh:
 
     def __call__(self) -> None:
         """Draw it, and leave its last attributes current."""
-        if not self._standing.draw():
+        parts = own_parts(self._context, self._run.blocks, lambda: self._standing.extent)
+        if parts is not None:
+            draw_parts(self._context, parts, self._by_number)
+        elif not self._standing.draw():
             self._context.draw_list(self._whole)
         self._submitter.make_current(self._run)
 

@@ -80,7 +80,12 @@ def taken(run: Run, indices: Indices) -> Run:
 
 def primitives_of(run: Run, polygon_mode: int = FILL) -> Iterator[tuple[Kind, Indices]]:
     """The run's points, lines and triangles, neighbours of one kind together, in the order of drawing."""
-    for kind, group in groupby(_stretches(run.blocks, polygon_mode), key=itemgetter(0)):
+    yield from primitives_in(run.blocks, polygon_mode)
+
+
+def primitives_in(blocks: tuple[Block, ...], polygon_mode: int = FILL) -> Iterator[tuple[Kind, Indices]]:
+    """The same of the blocks of a run."""
+    for kind, group in groupby(_stretches(blocks, polygon_mode), key=itemgetter(0)):
         together = [indices for _, indices in group]
         yield kind, together[0] if len(together) == 1 else np.concatenate(together)
 

@@ -54,7 +54,7 @@ class Standing:
 
         What was cut for a view is kept as soon as the same view is asked for again.
         """
-        subdivision = self._context.subdividing.subdivision(self._extent) if self._extent else None
+        subdivision = self._context.subdividing.subdivision(self.extent) if self.extent else None
         if subdivision is None:
             return False
         context = self._context
@@ -95,7 +95,8 @@ class Standing:
         return [*self._patches.values(), *([self._in_view] if self._in_view is not None else [])]
 
     @cached_property
-    def _extent(self) -> Extent | None:
+    def extent(self) -> Extent | None:
+        """How large the run is; None where it has no edges."""
         return extent_of(self._read())
 
     @cached_property

@@ -70,7 +70,7 @@ def subdivide(
     That is where no edge needs more, or where pieces could not show what the program asked for. primitives:
     the run's, where there are enough to choose among.
     """
-    polygon_mode = _shown_polygon_mode(context)
+    polygon_mode = shown_polygon_mode(context)
     if polygon_mode is None or "edge" in run.attributes:
         return False  # which edges of a polygon show is lost in its triangles
     if primitives is not None and _chosen_from(primitives, polygon_mode, context):
@@ -187,7 +187,7 @@ def _drawing_cut(kind: Edged, context: DomeContext) -> Making:
 
 def manner(context: DomeContext) -> tuple[object, ...]:
     """All that decides into which pieces a run is cut, beside the view."""
-    return _shown_polygon_mode(context), stippled(context), is_flat(context)
+    return shown_polygon_mode(context), stippled(context), is_flat(context)
 
 
 def stippled(context: DomeContext) -> bool:
@@ -202,10 +202,10 @@ def is_flat(context: DomeContext) -> bool:
 
 def filled(context: DomeContext) -> bool:
     """Polygons are drawn filled now."""
-    return _shown_polygon_mode(context) == FILL
+    return shown_polygon_mode(context) == FILL
 
 
-def _shown_polygon_mode(context: DomeContext) -> int | None:
+def shown_polygon_mode(context: DomeContext) -> int | None:
     """GL_FILL, GL_LINE or GL_POINT; None where the two faces differ or one is culled while outlined."""
     front, back = context.driver.integers(_POLYGON_MODE, 2)
     if front == FILL and back in (FILL, 0):

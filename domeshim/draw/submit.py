@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING
 
 from domeshim.draw.current import current_setters
 from domeshim.draw.extent import Extent
+from domeshim.draw.own_patches import Parts, draw_parts, own_parts
 from domeshim.draw.patches import POINTS, Indices, kind_of
-from domeshim.draw.primitives import many_primitives, taken
+from domeshim.draw.primitives import extent_of, many_primitives, taken
 from domeshim.draw.quads import few_as_quads
 from domeshim.draw.replay import replay
 from domeshim.draw.replay_pieces import drawing_of, knows_all
@@ -64,6 +65,8 @@ class Submitter:
         few = self._as_given(recorder, compiling=compiling)
         if few and not recorder.plain:
             recorder.settle()
+        if few and not compiling and not recorder.extras and self._submit_few_own(recorder, context):
+            return
         subdivision = _subdivision_of_few(recorder, context) if few else None
         if few and subdivision is None:
             self.replay(recorder, context.draw if recorder.blocks else at_once)
@@ -74,6 +77,26 @@ class Submitter:
         if not few and not compiling:
             subdivision = subdivision_of(run, context)
         self.draw_as_needed(run, context, subdivision)
+
+    def _submit_few_own(self, recorder: Immediate, context: DomeContext) -> bool:
+        parts = own_parts(context, recorder.blocks, partial(_extent_of_few, recorder))
+        if parts is None:
+            return False
+        run = recorder.take()
+        self._draw_parts(run, context, parts)
+        self.make_current(run)
+        return True
+
+    def draw_own(self, run: Run, context: DomeContext) -> bool:
+        """Draw a run by the program's own shader, subdivided; False where it is to be drawn whole."""
+        parts = own_parts(context, run.blocks, partial(extent_of, run))
+        if parts is not None:
+            self._draw_parts(run, context, parts)
+        return parts is not None
+
+    def _draw_parts(self, run: Run, context: DomeContext, parts: Parts) -> None:
+        with self._uploaded(run) as upload:
+            draw_parts(context, parts, upload.draw_some)
 
     def replay(self, recorder: Immediate, made: Making = at_once) -> None:
         """Make the recorded calls one by one; made: makes the draw, once for each view."""
@@ -115,6 +138,9 @@ class Submitter:
 
     def draw_as_needed(self, run: Run, context: DomeContext, subdivision: Subdivision | None) -> None:
         """Draw a run onto the dome, in patches if it needs them, and leave its last attributes current."""
+        if self.draw_own(run, context):
+            self.make_current(run)
+            return
         if subdivision is None or not subdivide(run, context, self, subdivision, many_primitives(run)):
             self.draw_whole(run, context.draw)
         self.make_current(run)
@@ -172,5 +198,8 @@ def _subdivision_of_few(recorder: Immediate, context: DomeContext) -> Subdivisio
     """What a few vertices need to keep the tolerance."""
     if not recorder.blocks or recorder.extras or not context.subdividing.minds_edges:
         return None
-    extent = Extent.unknown() if recorder.w else Extent.of_few(recorder.positions)
-    return context.subdividing.needed(extent)
+    return context.subdividing.needed(_extent_of_few(recorder))
+
+
+def _extent_of_few(recorder: Immediate) -> Extent:
+    return Extent.unknown() if recorder.w else Extent.of_few(recorder.positions)

@@ -60,7 +60,10 @@ def _draw(
     if context is None:
         return whole()
     dome.drawing()
-    if context.subdividing.may_subdivide and mode != _POINTS and dome.draw_arrays(int(mode), vertices()):
+    if context.own.current is not None:
+        if dome.draw_own(int(mode), vertices):
+            return None
+    elif context.subdividing.may_subdivide and mode != _POINTS and dome.draw_arrays(int(mode), vertices()):
         return None
     return None if dome.listed(whole) else context.draw(whole)
 

@@ -164,6 +164,17 @@ class Draws:
             return True
         return current.array_draws.subdivide(draw)
 
+    def draw_own(self, mode: int, vertices: Callable[[], range | Elements]) -> bool:
+        """Draw from arrays by the program's own shader, subdivided; False where GL's own draw will do."""
+        current = self._current
+        if current is None or self.building is not None or not current.context.subdividing.subdivides_own:
+            return False
+        context, indices = current.context, vertices()
+        own, placed = context.own.current, None
+        if own is not None and own.fixed_place:
+            placed = current.arrays.draw(mode, indices, context.scene.texture_units)
+        return current.array_draws.subdivide_own(mode, indices, placed, current.arrays)
+
     def draw_run(self, run: Run, extent: Extent | None) -> None:
         """Draw what the program asks for whole, and leave its last attributes current.
 
@@ -205,6 +216,8 @@ class Draws:
             building.used = True
             if self.listed(draw):
                 return True
+        if current.submitter.draw_own(shape.run, context):
+            return True
         extent = shape.extent
         subdivision = context.subdividing.subdivision(extent) if extent is not None else None
         if subdivision is None:

@@ -65,6 +65,7 @@ def delete_program(dome: Dome, original: Call) -> Call:
 
     def call(program: Any) -> Any:
         if dome.context is not None:
+            dome.context.undress()
             dome.context.own.forget(name_of(program))
         return original(program)
 

@@ -108,8 +108,8 @@ class ArrayReader:
         return ArrayDraw(
             (mode, arrays, indices, samples),
             buffered,
-            lambda: self._read(mode, arrays, self._numbers(indices)),
-            lambda: self._numbers(indices),
+            lambda: self._read(mode, arrays, self.numbers(indices)),
+            lambda: self.numbers(indices),
         )
 
     def elements(self, count: int, kind: int, indices: object) -> Elements:
@@ -127,7 +127,8 @@ class ArrayReader:
             data = np.asarray(place).ravel()[:count].astype(dtype).tobytes()
         return Elements(count, dtype.str, 0, 0, data)
 
-    def _numbers(self, indices: range | Elements) -> NDArray[np.int64]:
+    def numbers(self, indices: range | Elements) -> NDArray[np.int64]:
+        """The number in the program's arrays of each vertex of a draw."""
         if isinstance(indices, range):
             return np.arange(indices.start, indices.stop)
         dtype = np.dtype(indices.type)
@@ -136,7 +137,7 @@ class ArrayReader:
 
     def _samples(self, positions: Array, indices: range | Elements) -> bytes:
         """Some of the positions' bytes, to tell whether the program has moved them."""
-        numbers = self._numbers(indices)
+        numbers = self.numbers(indices)
         chosen = numbers[:: max(1, len(numbers) // _SAMPLES)].tolist()
         if positions.buffer:
             return b""

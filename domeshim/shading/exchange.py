@@ -17,15 +17,18 @@ from domeshim.shading.own import (
     Stage,
     asks_place,
     has_main,
+    leaves_fixed_place,
     placed,
     rewritten,
     uses_projection,
 )
+from domeshim.shading.own_subdivided import Subdivided
 from domeshim.shading.program import Uniforms
 from domeshim.state.perspective import Matrix
 
 _STAGES: Mapping[int, Stage] = {0x8DD9: "geometry", 0x8E87: "evaluation", 0x8B31: "vertex"}
 """The stages that can leave gl_Position, the last first."""
+_KINDS: Mapping[Stage, int] = {stage: kind for kind, stage in _STAGES.items()}
 _FRAGMENT, _SHADER_TYPE, _COMPILE_STATUS, _LINK_STATUS = 0x8B30, 0x8B4F, 0x8B81, 0x8B82
 _ATTACHED_SHADERS, _ACTIVE_UNIFORMS, _SOURCE_LENGTH = 0x8B85, 0x8B86, 0x8B88
 _OURS = {
@@ -39,9 +42,19 @@ class OwnProgram(Uniforms):
     """A linked program of the program's own whose positions end on the dome."""
 
     def __init__(
-        self, driver: Driver, name: int, text: str, landing: Rewritten, *, own_matrices: bool
+        self,
+        driver: Driver,
+        name: int,
+        text: str,
+        landing: Rewritten,
+        subdivided: Subdivided,
+        *,
+        own_matrices: bool,
     ) -> None:
-        """text: of the program's shader that was exchanged; landing: what took its place."""
+        """text: of the program's shader that was exchanged; landing: what took its place.
+
+        subdivided: what draws in its place what has to be subdivided.
+        """
         super().__init__(driver, name)
         self.cut = landing.cut
         """It cuts by RIM_DISTANCE and EDGE_DISTANCES."""
@@ -49,6 +62,10 @@ class OwnProgram(Uniforms):
         """So many of the program's clip planes cut what it draws."""
         self.own_matrices = own_matrices
         """Its projection, if any, is in a uniform of its own."""
+        self.fixed_place = leaves_fixed_place(text)
+        """It surely puts each vertex where the fixed pipeline would."""
+        self.subdivided = subdivided
+        """What draws in its place what has to be subdivided."""
         self.perspective: Matrix | None = None
         """The perspective last seen in such a uniform."""
         self.visible = tuple(i for i, u in enumerate(_uniforms(driver, name)) if u not in _OURS or u in text)
@@ -99,8 +116,12 @@ def link(driver: Driver, program: int, landing: Landing, original: Callable[[], 
     try:
         for candidate, fragments in attempts:
             if _links(driver, program, {last.name: candidate.text, **fragments}):
-                own = OwnProgram(driver, program, last.text, candidate, own_matrices=own_matrices)
-                return Linked(own)
+                others = tuple((kind, _text(driver, name)) for name, kind in attached if name != last.name)
+                stages = ((_KINDS[last.stage], last.text), *others)
+                pieces = Subdivided(driver, program, last.text, stages, tells=fragments is not told)
+                return Linked(
+                    OwnProgram(driver, program, last.text, candidate, pieces, own_matrices=own_matrices)
+                )
     finally:
         for name, text in ((last.name, last.text), *told.items()):
             _compile(driver, name, text)

@@ -31,6 +31,10 @@ _COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 _VERSION = re.compile(r"[ \t]*#[ \t]*version[ \t]+(\d+)[ \t]*(\w*)")
 _DIRECTIVE = re.compile(r"\s*#\s*(if|endif|extension)?")
 _PROJECTION = re.compile(r"\b(ftransform|gl_(ModelView)?Projection\w*)\b")
+_FIXED_PLACE = re.compile(
+    r"\bgl_Position\s*=\s*(ftransform\s*\(\s*\)|gl_ModelViewProjectionMatrix\s*\*\s*gl_Vertex"
+    r"|gl_ProjectionMatrix\s*\*\s*(\(\s*)?gl_ModelViewMatrix\s*\*\s*gl_Vertex(\s*\))?)\s*;"
+)
 _MAIN = re.compile(r"\bmain\s*\(")
 _MAIN_AROUND = """\
 #undef main
@@ -88,14 +92,51 @@ class Rewritten:
     """The program's first clip planes, or distances, cut by the ones below those."""
 
 
+@dataclass(frozen=True)
+class Versioned:
+    """A shader's text without its version, and that."""
+
+    text: str
+    """With as many lines as before."""
+    line: str
+    number: int
+    profile: str
+
+    @classmethod
+    def of(cls, text: str) -> Versioned:
+        """Take a text apart."""
+        version = _VERSION.search(bare(text))
+        if version is None:
+            return cls(text, "#version 110", 110, "")
+        # A directive may stand below comments; the text keeps its lines.
+        whole = text[: version.start()] + text[version.end() :]
+        return cls(whole, version[0].strip(), int(version[1]), version[2])
+
+    @property
+    def embedded(self) -> bool:
+        """It is of OpenGL ES."""
+        return self.profile == "es" or self.number == 100
+
+    def raised(self, *, legacy: bool = False) -> str:
+        """The version that has clip distances, or on OpenGL 2 the dome's; its own where that is later."""
+        older, newer = (120, _RAISED_LEGACY) if legacy else (150, _RAISED)
+        return newer if self.number < older else self.line
+
+
 def uses_projection(text: str) -> bool:
     """The shader takes its projection from GL's own matrix, not from a uniform of the program's."""
-    return bool(_PROJECTION.search(_bare(text)))
+    return bool(_PROJECTION.search(bare(text)))
+
+
+def leaves_fixed_place(text: str) -> bool:
+    """The shader surely puts each vertex where the fixed pipeline would."""
+    code = bare(text)
+    return len(_FIXED_PLACE.findall(code)) == code.count("gl_Position") > 0
 
 
 def has_main(text: str) -> bool:
     """The shader is the one of its stage that GL calls."""
-    return bool(_MAIN.search(_bare(text)))
+    return bool(_MAIN.search(bare(text)))
 
 
 def rewritten(text: str, stage: Stage, landing: Landing, *, tells: bool = False) -> tuple[Rewritten, ...]:
@@ -104,71 +145,64 @@ def rewritten(text: str, stage: Stage, landing: Landing, *, tells: bool = False)
     The first is raised to a GLSL with clip distances, if there is any; the last stays at the program's.
     tells: fragment shaders want to know the clip coordinates that it leaves.
     """
-    own_version, whole = _parted(text)
-    number = _number(own_version)
-    if number == 100 or own_version.endswith("es"):
-        return (_joined(own_version, whole, stage, landing, cut=False),)
-    older, newer = (120, _RAISED_LEGACY) if landing.legacy else (150, _RAISED)
-    raised = newer if number < older else own_version
+    own = Versioned.of(text)
+    if own.embedded:
+        return (_joined(own.line, own.text, stage, landing, cut=False),)
     return (
-        _joined(raised, whole, stage, landing, cut=True, tells=tells),
-        _joined(own_version, whole, stage, landing, cut=False, tells=tells),
+        _joined(own.raised(legacy=landing.legacy), own.text, stage, landing, cut=True, tells=tells),
+        _joined(own.line, own.text, stage, landing, cut=False, tells=tells),
     )
 
 
 def asks_place(text: str) -> bool:
     """The fragment shader reads gl_FragCoord, and can be told where the monitor would show a fragment."""
-    bare = _bare(text)
-    version, _ = _parted(text)
-    known = not version.endswith("es") and _number(version) != 100
-    return known and bool(_PLACE.search(bare)) and not _PLACE_REDECLARED.search(bare)
+    code = bare(text)
+    known = not Versioned.of(text).embedded
+    return known and bool(_PLACE.search(code)) and not _PLACE_REDECLARED.search(code)
 
 
 def placed(text: str) -> str:
     """A fragment shader's text whose gl_FragCoord is a place in the program's window."""
-    version, whole = _parted(text)
-    lines, first = whole.split("\n"), _top(whole)
-    told = f"{'varying' if _number(version) < 130 else 'in'} vec4 domeClip;\n"
+    own = Versioned.of(text)
+    told = f"{'varying' if own.number < 130 else 'in'} vec4 domeClip;\n"
     before = told + snippet("own/window") + "#define gl_FragCoord domeFragCoord()\n"
-    return "\n".join([version, *lines[:first], before, *lines[first:]])
-
-
-def _parted(text: str) -> tuple[str, str]:
-    """The #version directive, GLSL's own default where there is none, and the text without it."""
-    version = _VERSION.search(_bare(text))
-    if version is None:
-        return "#version 110", text
-    # A directive may stand below comments; the text keeps its lines.
-    return version[0].strip(), text[: version.start()] + text[version.end() :]
-
-
-def _number(version: str) -> int:
-    found = _VERSION.search(version)
-    assert found is not None
-    return int(found[1])
+    return f"{own.line}\n{opened(own.text, before)}"
 
 
 def _joined(
     version: str, text: str, stage: Stage, landing: Landing, *, cut: bool, tells: bool = False
 ) -> Rewritten:
-    lines = text.split("\n")
-    first = _top(text)
-    bare = _bare(text)
-    planes: Planes = "kept" if not cut or "gl_ClipDistance" in bare else "open"
-    if cut and landing.legacy:
-        planes = "legacy"
-    elif planes == "open" and "compatibility" in version and "gl_ClipVertex" in bare:
-        planes = "clip vertex"
-    before = _before(stage, landing, cut=cut, planes=planes, tells=tells)
+    planes = planes_of(text, version, landing, cut=cut)
+    around = _EMIT_AROUND if stage == "geometry" else "#define main domeProgramMain\n"
+    before = landing_text(landing, cut=cut, planes=planes, tells=tells) + around
     if tells:
-        before = f"{'varying' if _number(version) < 130 else 'out'} vec4 domeClip;\n{before}"
+        before = f"{'varying' if Versioned.of(version).number < 130 else 'out'} vec4 domeClip;\n{before}"
     after = "" if stage == "geometry" else _MAIN_AROUND
-    text = "\n".join([version, *lines[:first], before, *lines[first:], after])
-    return Rewritten(text, cut, by_planes=cut and planes in ("kept", "clip vertex"))
+    return Rewritten(
+        version + "\n" + opened(text, before) + "\n" + after,
+        cut,
+        by_planes=cut and planes in ("kept", "clip vertex"),
+    )
 
 
-def _before(stage: Stage, landing: Landing, *, cut: bool, planes: Planes, tells: bool) -> str:
-    """What stands before the program's first declaration: our functions, and its main()'s new name."""
+def planes_of(text: str, version: str, landing: Landing, *, cut: bool) -> Planes:
+    """What becomes of the first clip distances of a shader; cut: as in Rewritten."""
+    code = bare(text)
+    if cut and landing.legacy:
+        return "legacy"
+    if not cut or "gl_ClipDistance" in code:
+        return "kept"
+    return "clip vertex" if "compatibility" in version and "gl_ClipVertex" in code else "open"
+
+
+def opened(text: str, before: str) -> str:
+    """A shader's text, without its version, with more before its first declaration."""
+    lines, first = text.split("\n"), _top(text)
+    return "\n".join([*lines[:first], before, *lines[first:]])
+
+
+def landing_text(landing: Landing, *, cut: bool, planes: Planes, tells: bool = False) -> str:
+    """domeLand(), which takes gl_Position onto the dome, and all that it needs."""
     names = ["own/land", *landing.lens, "bend/vertex", "bend/panel"]
     if landing.face:
         names = ["own/land", "bend/face", "bend/face_point", "bend/face_panel"]
@@ -190,10 +224,6 @@ def _before(stage: Stage, landing: Landing, *, cut: bool, planes: Planes, tells:
     parts.append(_land(landing, cut=cut, planes=planes, tells=tells))
     if planes == "legacy":
         parts.append(_CLIP_VERTEX)
-    if stage == "geometry":
-        parts.append(_EMIT_AROUND)
-    else:
-        parts.append("#define main domeProgramMain\n")
     return "".join(parts)
 
 
@@ -233,7 +263,7 @@ def _land(landing: Landing, *, cut: bool, planes: Planes, tells: bool) -> str:
     return "\n".join(["void domeLand() {", *(f"    {line}" for line in lines), "}", ""])
 
 
-def _bare(text: str) -> str:
+def bare(text: str) -> str:
     """The text with its comments blanked, every line where it was."""
     return _COMMENT.sub(lambda m: re.sub(r"[^\n]", " ", m[0]), text)
 
@@ -241,7 +271,7 @@ def _bare(text: str) -> str:
 def _top(text: str) -> int:
     """The first line that declarations may stand on: below every #extension, and in no #if."""
     top, opened, extension, continued = 0, list[int](), False, False
-    for number, line in enumerate(_bare(text).split("\n")):
+    for number, line in enumerate(bare(text).split("\n")):
         directive = None if continued else _DIRECTIVE.match(line)
         if directive is None and line.strip() and not continued:
             break

@@ -111,6 +111,14 @@ class Program(Uniforms):
             raise ShaderError("the driver refused to link: " + explain(log, vertex))
 
 
+def compiled_as_given(driver: Driver, stage: int, text: str) -> int:
+    """A shader object of a text of the program's own, which the driver has taken before."""
+    shader: int = driver.glCreateShader(stage)
+    driver.glShaderSource(shader, 1, c_char_p(text.encode(errors="surrogateescape")), None)
+    driver.glCompileShader(shader)
+    return shader
+
+
 def explain(log: str, source: Source) -> str:
     """A driver's log with its places named by our files; Mesa writes 0:7(5), NVIDIA 0(7)."""
     return _PLACE_IN_LOG.sub(lambda match: source.place(int(match[1] or match[2])), log)

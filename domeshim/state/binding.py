@@ -37,10 +37,10 @@ class Binding:
 
     def uniform_sent(self) -> None:
         """The program is about to give a uniform of its own a value."""
-        fragments = self._context.own.fragments
-        if fragments is not None:
+        own = self._context.own
+        if own.hands_over:
             self._context.undress()
-            fragments.uniforms_changed()
+            own.uniforms_changed()
 
     def matrix_sent(self, location: int) -> None:
         """The program has sent a matrix to a uniform of its own."""

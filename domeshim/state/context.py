@@ -124,6 +124,7 @@ class DomeContext:
         """A list or an attribute stack may have changed any state."""
         self.scene.stale |= GROUPS
         self._where.ask_again()
+        self.own.uniforms_changed()
 
     def perspective_set(self, p: Matrix | None) -> None:
         """The program is about to multiply or load this perspective onto the current stack."""

@@ -52,8 +52,8 @@ class Dresser:
         context, placement = self._context, seen.placement
         canvas, own = context.canvas, context.own
         if placement.hud and self._options.flat_hud:
-            own.leave_straight()
             context.undress()
+            own.leave_straight()
             canvas.settle(deep=True, straight=True)
             self._wear(Dressing(0, (), tuple(self._flat_views(seen))), seen)
         elif own.current is not None:
@@ -61,10 +61,7 @@ class Dresser:
             self._say_uncut(seen, scene)
             if context.shows_levels:
                 context.say_once("DOME_DEBUG=levels: what the program's own GLSL draws keeps its colours")
-            cut = own.bend(seen, scene.clip_planes)
-            enables = (*cut.enables, *self.wardrobe.discard(look))
-            views = self.wardrobe.views(look, canvas.views)
-            self._wear(Dressing(0, enables, views, own.current, canvas.framebuffer, cut.planes), seen)
+            self._put_on_own(seen, scene, look, patch)
         else:
             chosen = self._chosen(seen, scene, patch, raster=raster)
             outfit = chosen.outfit
@@ -93,6 +90,23 @@ class Dresser:
             self._known.clear()
         self._known[key] = found = _Chosen(seen, canvas, look, outfit, dressing)
         return found
+
+    def _put_on_own(self, seen: Seen, scene: Scene, look: Look, patch: Patch | None) -> None:
+        """Put on a program of the program's own, or what subdivides in its place."""
+        context, own = self._context, self._context.own
+        assert own.current is not None
+        cut = own.cut(seen, scene.clip_planes)
+        enables = (*cut.enables, *self.wardrobe.discard(look))
+        views = self.wardrobe.views(look, context.canvas.views)
+        pieces = None if patch is None or patch.kind == "quads" else own.subdividing(patch.kind)
+        worn, name = (own.current, 0) if pieces is None else (pieces, pieces.name)
+        self._wear(Dressing(name, enables, views, worn, context.canvas.framebuffer, cut.planes), seen)
+        if pieces is None:
+            own.bend(worn, seen)
+            return
+        own.bend(worn, seen, context.subdividing.tolerance)
+        worn.set("domeFlat", (float(context.driver.integer(_SHADE_MODEL) == _FLAT),))
+        own.current.subdivided.send_to(worn)
 
     def _say_uncut(self, seen: Seen, scene: Scene) -> None:
         """Say what of the program's does not cut what its own GLSL draws."""
@@ -134,5 +148,6 @@ class Dresser:
     @property
     def _programs_own(self) -> int:
         """What is bound where the dome's program is not, as far as the dome binds it."""
-        fragments = self._context.own.fragments
-        return fragments.name if fragments else 0
+        own = self._context.own
+        bound = own.fragments or own.current
+        return bound.name if bound else 0

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from ctypes import c_float
+from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -21,9 +22,12 @@ from domeshim.state.scene import GL_CLIP_PLANE0
 from domeshim.window.frame import Frame
 
 if TYPE_CHECKING:
+    from domeshim.draw.patches import Edged
     from domeshim.shading.exchange import OwnProgram
     from domeshim.shading.fragments import FragmentStage
     from domeshim.shading.own import Landing
+    from domeshim.shading.program import Uniforms
+    from domeshim.state.subdivision import Tolerance
     from domeshim.state.whereabouts import Seen
 
 _CURRENT_PROGRAM = 0x8B8D
@@ -54,6 +58,7 @@ class OwnPrograms:
         self._frame = frame
         self._face = options.cubemap
         self._beside = options.stereo != "off"
+        self._near_behind = lens.singular and (options.fov > 180 or orientation.off_centre)
         self._programs: dict[int, OwnProgram] = {}
         self._stages: dict[int, FragmentStage] = {}
         self._last: tuple[Placement, Matrix, tuple[float, ...]] | None = None
@@ -111,9 +116,15 @@ class OwnPrograms:
         """The program of this name if it ends on the dome by itself."""
         return self._programs.get(name)
 
+    def draws_by(self, name: int) -> bool:
+        """The program of this name is one that ends on the dome, or draws in the place of one."""
+        return name in self._programs or any(own.subdivided.has(name) for own in self._programs.values())
+
     def forget(self, name: int) -> None:
         """The program is deleted or linked anew."""
-        self._programs.pop(name, None)
+        gone = self._programs.pop(name, None)
+        if gone is not None:
+            gone.subdivided.delete()
         self.complaints.pop(name, None)
         stage = self._stages.get(name)
         if stage is not None and stage is not self.fragments:
@@ -149,30 +160,15 @@ class OwnPrograms:
 
     # Around its draws.
 
-    def bend(self, seen: Seen, planes: tuple[int, ...]) -> Cut:
-        """Let the bound program end where its draw belongs, and tell what has to be on for it.
+    def cut(self, seen: Seen, planes: tuple[int, ...]) -> Cut:
+        """What has to be on for the bound program to end where its draw belongs.
 
         planes: the clip planes that the program has enabled.
         """
         from domeshim.shading.own import EDGE_DISTANCES, RIM_DISTANCE  # noqa: PLC0415 - as above
 
-        own, placement, edges = self.current, seen.placement, seen.edges
+        own, panel = self.current, seen.placement.place == "panel"
         assert own is not None
-        panel = placement.place == "panel"
-        own.set("domeMode", (2.0 if panel else 1.0,))
-        own.set("domeFromClip", placement.view if panel else self._from_clip(placement, seen.projection))
-        face = self._face
-        own.set("domeDepth", planar(placement.depth) if face else placement.depth)
-        if not face:
-            own.set("domeLens", self._lens.uniform)
-        for uniform, values in self._orientation.uniforms:
-            own.set(uniform, values)
-        for uniform, values in self._frame.uniforms:
-            own.set(uniform, values)
-        if self._landing.clip != "behind" and not face:
-            own.set("domeRim", cone(self._lens.left_out(np.inf)))
-        own.set("domeEdges", edges.bounds)
-        own.set("domeWindow", seen.viewport)
         if not own.cut:
             return Cut()
         if self._driver.legacy:
@@ -180,9 +176,56 @@ class OwnPrograms:
             used = tuple(zip(free, PARTS if panel else PARTS[:1], strict=False))
             idle = ((number, NOTHING) for number in planes)
             return Cut(tuple(GL_CLIP_PLANE0 + number for number, _ in used), (*used, *idle))
-        inner = (0, 1, 2, 3) if panel else edges.inner
+        inner = (0, 1, 2, 3) if panel else seen.edges.inner
         wanted = (*(() if panel else (RIM_DISTANCE,)), *(EDGE_DISTANCES[i] for i in inner))
         return Cut(tuple(GL_CLIP_PLANE0 + i for i in wanted if i not in planes))
+
+    def bend(self, program: Uniforms, seen: Seen, tolerance: Tolerance | None = None) -> None:
+        """Let a program that is bound end where its draw belongs: the program's own, or one in its place.
+
+        tolerance: what one that subdivides goes by.
+        """
+        placement, face = seen.placement, self._face
+        panel = placement.place == "panel"
+        program.set("domeMode", (2.0 if panel else 1.0,))
+        program.set("domeFromClip", placement.view if panel else self._from_clip(placement, seen.projection))
+        program.set("domeDepth", planar(placement.depth) if face else placement.depth)
+        if not face:
+            program.set("domeLens", self._lens.uniform)
+        for uniform, values in self._orientation.uniforms:
+            program.set(uniform, values)
+        for uniform, values in self._frame.uniforms:
+            program.set(uniform, values)
+        left_out = self._lens.left_out(np.inf) if tolerance is None else tolerance.left_out
+        program.set("domeRim", cone(left_out))
+        program.set("domeEdges", seen.edges.bounds)
+        program.set("domeWindow", seen.viewport)
+        if tolerance is not None:
+            program.set("domeDetail", (tolerance.detail,))
+            program.set("domeWidest", (tolerance.widest,))
+            program.set("domeAft", (*tolerance.aft, tolerance.least))
+
+    def subdividing(self, kind: Edged) -> Uniforms | None:
+        """What draws such primitives in the bound program's place, subdivided; None where nothing can."""
+        from domeshim.shading.own_pieces import Judging  # noqa: PLC0415 - only what is subdivided pays
+
+        own = self.current
+        if own is None or not own.cut or self._face:
+            return None
+        landing = replace(self._landing, clip=self._lens.clip(exact=True))
+        return own.subdivided.program(kind, landing, Judging(self._near_behind))
+
+    @property
+    def hands_over(self) -> bool:
+        """Some program's uniforms are handed over to others, that draw in its place."""
+        return bool(self._stages) or any(own.subdivided.made for own in self._programs.values())
+
+    def uniforms_changed(self) -> None:
+        """Any uniform of any program may have another value."""
+        for own in self._programs.values():
+            own.subdivided.uniforms_changed()
+        for stage in self._stages.values():
+            stage.uniforms_changed()
 
     def _from_clip(self, placement: Placement, projection: Matrix) -> tuple[float, ...]:
         """Clip coordinates to the dome's eye space, column-major; worked out once for each placement."""

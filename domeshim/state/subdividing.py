@@ -23,6 +23,11 @@ if TYPE_CHECKING:
 
 _MODELVIEW_MATRIX, _PROJECTION_MATRIX = 0x0BA6, 0x0BA7
 _RENDERER, _SAMPLES = 0x1F01, 0x80A9
+_TRANSFORM_FEEDBACK_ACTIVE = 0x8E24
+_ROOM_BEHIND = 0.24
+"""Closer to straight behind, radians, edges would have to be halved more often than a shader does."""
+_HALVINGS, _HALVINGS_BEHIND = 6, 9
+"""So often the widest edge of a floor under the viewer is halved, and of one that goes on behind."""
 _SHORT = 2.0
 """So many pixels of an average width a line is long that is surely longer than one of any width."""
 
@@ -45,7 +50,18 @@ class Subdividing:
     @property
     def may_subdivide(self) -> bool:
         """What is drawn now could be subdivided."""
-        return not self._context.bypassed and self._context.own.current is None and self.method is not None
+        return not self._context.bypassed and self.method is not None
+
+    @property
+    def subdivides_own(self) -> bool:
+        """What the program draws now by a vertex shader of its own is subdivided, if that shader can be."""
+        context = self._context
+        if not self.minds_edges or context.own.current is None or self.method != "tessellate":
+            return False
+        if self.tolerance.least < _ROOM_BEHIND:
+            return False
+        caught = context.driver.integer(_TRANSFORM_FEEDBACK_ACTIVE)
+        return context.seen.placement.place != "panel" and not caught
 
     def subdivision(self, extent: Extent) -> Subdivision | None:
         """What a mesh needs to keep the tolerance: nothing, pieces of its edges, or to be split first."""
@@ -81,17 +97,35 @@ class Subdividing:
         tolerance, own = self.tolerance, self._context.own.current
         if extent.surely_seen_from(to_eye, tolerance.far):
             return None
-        angle = extent.largest_angle(to_eye)
-        behind = math.pi
-        if tolerance.least < 1:
-            behind = extent.least_angle_from(tolerance.aft, to_eye)
+        angle, behind = self._angles(extent, to_eye)
         if own is None:
             return tolerance.subdivision(angle, behind, self._context.scene_now)
         if tolerance.broken_by(angle, behind) and not own.own_matrices:
-            self._context.say_once(
-                "long edges drawn by the program's own GLSL stay straight: it is not subdivided"
-            )
+            why = own.subdivided.complaint or "this draw is not subdivided"
+            self._context.say_once(f"long edges drawn by the program's own GLSL stay straight: {why}")
         return None
+
+    def _angles(self, extent: Extent, to_eye: Sequence[float]) -> tuple[float, float]:
+        """No edge is wider than this angle, and none comes closer to straight behind than that; radians."""
+        behind = math.pi
+        if self.tolerance.least < 1:
+            behind = extent.least_angle_from(self.tolerance.aft, to_eye)
+        return extent.largest_angle(to_eye), behind
+
+    def own_halvings(self, extent: Extent | None) -> int | None:
+        """How often the widest edge of what the program's own shader draws may have to be halved.
+
+        None where surely no edge needs pieces. extent: of the vertices, where the fixed pipeline would put
+        them; None: not known.
+        """
+        tolerance, own = self.tolerance, self._context.own.current
+        deepest = _HALVINGS if tolerance.least == 1 else _HALVINGS_BEHIND
+        if extent is None or own is None or not own.fixed_place:
+            return deepest
+        angle, behind = self._angles(extent, self._to_eye(self._context.seen.placement))
+        if not tolerance.broken_by(angle, behind):
+            return None
+        return 0 if tolerance.least == 1 and angle <= tolerance.widest else deepest
 
     def choice(self, primitives: Primitives, *, lengthened: bool) -> Choice | None:
         """What each primitive of a mesh needs, where subdivision says that the mesh needs something.

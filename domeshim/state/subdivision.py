@@ -110,6 +110,11 @@ class Tolerance:
         self.far = 0.5 / math.tan(whole / 2) if whole else math.inf
         """From how far an edge of length 1 surely needs nothing, if anything does not."""
 
+    @property
+    def widest(self) -> float:
+        """Up to what angle tessellation shaders draw an edge well, radians, away from straight behind."""
+        return min(_WIDEST, _MOST_PIECES / self.detail)
+
     def limit(self, widest: float) -> Limit:
         """The limit to edges of at most this angle, radians, away from straight behind."""
         if widest not in self._limits:

@@ -123,7 +123,10 @@ def test_matrices_of_its_own_in_uniforms(beside: Beside, product: bool) -> None:
     beside.assert_equal(one.picture, other.picture, name=f"own-matrices-{product}", wrong=0.002)
 
 
-def test_edges_that_stay_straight_are_said_once(beside: Beside, capsys: pytest.CaptureFixture[str]) -> None:
+@pytest.mark.parametrize("method", ["cpu", "geometry"])
+def test_edges_that_stay_straight_are_said_once(
+    beside: Beside, capsys: pytest.CaptureFixture[str], method: str
+) -> None:
     def own(gl: GL) -> None:
         wide(gl)
         gl.glUseProgram(both(gl, COLOURED, COLOUR))
@@ -136,7 +139,7 @@ def test_edges_that_stay_straight_are_said_once(beside: Beside, capsys: pytest.C
             if size < 1:
                 assert capsys.readouterr().err == ""
 
-    beside.through_dome(own, fov=180)
+    beside.through_dome(own, fov=180, method=method)
     said = capsys.readouterr().err.splitlines()
     assert len(said) == 1
     assert "stay straight" in said[0]
