@@ -53,6 +53,8 @@ class Subdivided:
             self.complaint = "it has geometry or tessellation shaders of its own"
         elif any("subroutine" in text for _, text in stages):
             self.complaint = "it has subroutines"
+        elif any("gl_PrimitiveID" in text for _, text in stages):
+            self.complaint = "it asks for gl_PrimitiveID"
 
     @property
     def made(self) -> bool:
@@ -132,7 +134,7 @@ class Subdivided:
             gl.glGetActiveAttrib(self._name, index, len(name), None, c_int(), c_uint(), name)
             number = gl.glGetAttribLocation(self._name, name.value)
             if number >= 0:
-                gl.glBindAttribLocation(program, number, c_char_p(name.value))
+                gl.glBindAttribLocation(program, number, c_char_p(name.value.removesuffix(b"[0]")))
         outputs = (_OUTPUT.findall(bare(text)) for stage, text in self._stages if stage == _FRAGMENT)
         for output in (found for each in outputs for found in each):
             number = gl.glGetFragDataLocation(self._name, output.encode())

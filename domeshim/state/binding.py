@@ -39,7 +39,9 @@ class Binding:
         """The program is about to give a uniform of its own a value."""
         own = self._context.own
         if own.hands_over:
-            self._context.undress()
+            worn = self._context.worn.dressing
+            if worn is not None and worn.program:
+                self._context.undress()  # the program's own takes the value
             own.uniforms_changed()
 
     def matrix_sent(self, location: int) -> None:

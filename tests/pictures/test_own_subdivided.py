@@ -329,3 +329,62 @@ def test_a_program_with_stages_of_its_own_stays_and_says_why(
     assert said == [
         "domeshim: long edges drawn by the program's own GLSL stay straight: it hands on a value of type S"
     ]
+
+
+@pytest.mark.parametrize(
+    "vertex",
+    [
+        "gl_Position = ftransform();",
+        "gl_Position = gl_ProjectionMatrix * gl_ModelViewMatrix * gl_Vertex;",
+    ],
+)
+def test_a_mesh_without_long_edges_stays_with_the_plain_program(beside: Beside, vertex: str) -> None:
+    def scene(gl: GL) -> None:
+        wide(gl)
+        gl.glUseProgram(both(gl, f"void main() {{ {vertex} gl_FrontColor = gl_Color; }}", COLOUR))
+        for size, made in ((0.01, False), (5.0, True)):
+            gl.glBegin(gl.GL_TRIANGLES)
+            for x, y in ((-1, -1), (1, -1), (0, 1)):
+                gl.glVertex3f(size * x, size * y, -2)
+            gl.glEnd()
+            gl.glFlush()
+            own = beside.session.dome.context.own.current
+            assert own.subdivided.made is made
+
+    beside.through_dome(scene, fov=180)
+
+
+def test_a_shader_that_moves_its_vertices_is_looked_at_where_they_go(beside: Beside) -> None:
+    vertex = """void main() {
+        gl_FrontColor = gl_Color;
+        gl_Position = gl_ModelViewProjectionMatrix * vec4(400.0 * gl_Vertex.xyz, 1.0);
+    }"""
+
+    def scene(gl: GL, own: bool) -> None:
+        wide(gl)
+        if own:
+            gl.glUseProgram(both(gl, vertex, COLOUR))
+        scale = 1 / 400 if own else 1
+        gl.glBegin(gl.GL_QUADS)
+        for i, (x, z) in enumerate(CORNERS):
+            gl.glColor3f(i / 4, i % 2, 0.5)
+            gl.glVertex3f(40 * scale * x, -1.5 * scale, -40 * scale * z)
+        gl.glEnd()
+
+    one, other = (beside.through_dome(partial(scene, own=o), fov=180).picture for o in (True, False))
+    beside.assert_equal(other, one, name="own-moved", wrong=0.003)
+
+
+def test_the_panel_stays_as_it_is(beside: Beside) -> None:
+    def scene(gl: GL) -> None:
+        gl.glUseProgram(both(gl, COLOURED, COLOUR))
+        gl.glBegin(gl.GL_QUADS)
+        for i, corner in enumerate(CORNERS):
+            gl.glColor3f(i / 4, i % 2, 0.5)
+            gl.glVertex2f(*corner)
+        gl.glEnd()
+
+    one, other = (
+        beside.through_dome(scene, fov=180, panel=60, method=method).picture for method in ("auto", "vertex")
+    )
+    assert (one == other).all()
