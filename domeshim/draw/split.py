@@ -20,10 +20,12 @@ _SHARE = 0.5
 """How long an edge may be as a share of its angle from straight behind: its pieces are alike then."""
 _HORIZON = 1e-6
 """How small a share of a primitive's largest w still lies ahead: far outside of any view."""
-_ENDS = {2: ([0], [1]), 3: ([0, 1, 2], [1, 2, 0]), 4: ([0, 1, 2, 3], [1, 2, 3, 0])}
-"""The two ends of each edge, by how many corners there are."""
+_SECOND_ENDS = {2: [1], 3: [1, 2, 0], 4: [1, 2, 3, 0]}
+"""Each edge's second end, by how many corners there are; its first has the edge's own number."""
+_TURNED = [0, 1, 2, 0, 1]
 _STIFFEST = np.log(1e30)
 """How many times farther away an edge's one end may be than the other, as a logarithm."""
+_SURELY_NOT_STIFF = 1e29
 _SQUARE = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
 """(4, 2): where a quad's corners lie in it."""
 
@@ -51,12 +53,15 @@ class Limit:
         return self.widest if self.least == 1 else float(self._near(np.array(behind)))
 
     def of_edges(self, directions: Floats, angles: Floats, lengths: Floats) -> Floats:
-        """The limit of each edge, by its ends alone. directions: (m, corners, 3); lengths: (m, corners).
+        """The limit of each edge, or of all, by its ends alone. directions: (m, corners, 3).
 
-        angles: (m, edges), corner i to i + 1. An arc is nowhere closer to straight behind than its closer
-        end less half its own angle. An edge too stiff for single precision has to come out as one piece.
+        angles: (m, edges), corner i to i + 1; lengths: (m, corners). An arc is nowhere closer to straight
+        behind than its closer end less half its own angle. An edge too stiff for single precision has to come
+        out as one piece.
         """
         edges = angles.shape[1]
+        if self.least == 1 and lengths.max(initial=0.0) < _SURELY_NOT_STIFF * lengths.min(initial=np.inf):
+            return np.asarray(self.widest)
         with np.errstate(divide="ignore", invalid="ignore"):
             stiff = (np.abs(np.log(lengths / np.roll(lengths, -1, 1))) > _STIFFEST)[:, :edges]
         whole = np.where(stiff, self.piece, np.inf)
@@ -130,22 +135,31 @@ def _pieces(run: Run, corners: int, to_eye: Floats, limit: Limit) -> tuple[NDArr
     The last are weights of the primitive's corners: (m, corners, corners), the rows of sum 1; of a quad the
     places in it, (m, 4, 2), from (0, 0) at its first corner to (1, 1) at its third.
     """
-    places = homogeneous(run.positions).reshape(-1, corners, 4)
-    parents = np.flatnonzero(np.isfinite(places).all((1, 2)))
     within = _SQUARE if corners == 4 else np.eye(corners)
-    pieces = np.concatenate([places, np.broadcast_to(within, (len(places), *within.shape))], -1)[parents]
-    pieces, parents = ahead_of_viewer(pieces, parents, to_eye)
+    whole = np.empty((len(run.positions) // corners, corners, 4 + within.shape[1]))
+    whole[..., 3] = 1.0
+    whole[..., : run.positions.shape[1]] = run.positions.reshape(len(whole), corners, -1)
+    whole[..., 4:] = within
+    parents = np.flatnonzero(np.isfinite(whole).all((1, 2)))
+    pieces, parents = ahead_of_viewer(whole[parents], parents, to_eye)
     cut = _cut if corners == 4 else _halved
     done_pieces, done_parents = [], []
     for _ in range(_MOST_ROUNDS):
         angles, limits, lengths = edges_of((pieces[:, :, None, :4] * to_eye).sum(-1), limit)
-        wide = (angles > limits).any(1)
-        done_pieces.append(pieces[~wide])
-        done_parents.append(parents[~wide])
-        if not wide.any():
+        over = angles > limits
+        wide = over.any(1)
+        count = np.count_nonzero(wide)
+        if not count:
+            done_pieces.append(pieces)
+            done_parents.append(parents)
             break
-        pieces = cut(pieces[wide], np.where(angles > limits, angles, 0)[wide], lengths[wide])
-        parents = np.tile(parents[wide], 2)
+        if count < len(pieces):
+            done_pieces.append(pieces[~wide])
+            done_parents.append(parents[~wide])
+            pieces, parents, over = pieces[wide], parents[wide], over[wide]
+            angles, lengths = angles[wide], lengths[wide]
+        pieces = cut(pieces, np.where(over, angles, 0), lengths)
+        parents = np.concatenate([parents, parents])
     else:
         done_pieces.append(pieces)
         done_parents.append(parents)
@@ -163,6 +177,8 @@ def ahead_of_viewer(
     goes with them; parents: (m,). Lines stay as many, and in their order.
     """
     w = (pieces[:, :, :4] * to_eye[3]).sum(-1)
+    if w.min(initial=0.0) == 0:
+        return pieces, parents
     passing = w.min(1, keepdims=True) < 0
     heights = np.where(passing, w - _HORIZON * np.abs(w).max(1, keepdims=True), 1.0)
     ahead = heights > 0
@@ -208,20 +224,25 @@ def _at_height_0(pieces: Floats, heights: Floats, start: NDArray[np.intp], end: 
 def edges_of(eye: Floats, limit: Limit) -> tuple[Floats, Floats, Floats]:
     """Each edge's angle and limit, corner i to i + 1, and each corner's distance. eye: (m, corners, 4)."""
     points = np.where(eye[..., 3:] < 0, -eye[..., :3], eye[..., :3])
-    x, y, z = points[..., 0], points[..., 1], points[..., 2]
-    lengths = np.sqrt(x * x + y * y + z * z)
+    lengths = np.sqrt(_summed(points * points))
     directions = points / np.maximum(lengths, 1e-300)[..., None]
-    near, far = _ENDS[eye.shape[1]]
-    angles = _angles_between(directions[:, near], directions[:, far])
+    others = _SECOND_ENDS[eye.shape[1]]
+    angles = _angles_between(directions[:, : len(others)], directions[:, others])
     return angles, limit.of_edges(directions, angles, lengths), lengths
 
 
 def _angles_between(a: Floats, b: Floats) -> Floats:
     """Radians between unit vectors, (..., 3)."""
-    ux, uy, uz, vx, vy, vz = a[..., 0], a[..., 1], a[..., 2], b[..., 0], b[..., 1], b[..., 2]
-    x, y, z = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx  # np.cross takes several times as long
-    angles: Floats = np.arctan2(np.sqrt(x * x + y * y + z * z), ux * vx + uy * vy + uz * vz)
+    u, v = a[..., _TURNED], b[..., _TURNED]
+    across = u[..., 1:4] * v[..., 2:5] - u[..., 2:5] * v[..., 1:4]  # np.cross takes several times as long
+    angles: Floats = np.arctan2(np.sqrt(_summed(across * across)), _summed(a * b))
     return angles
+
+
+def _summed(vectors: Floats) -> Floats:
+    """The sum of each vector's three numbers, in their order: np.sum takes another for other shapes."""
+    total: Floats = vectors[..., 0] + vectors[..., 1] + vectors[..., 2]
+    return total
 
 
 def _halved(pieces: Floats, wide: Floats, lengths: Floats) -> Floats:
@@ -230,10 +251,9 @@ def _halved(pieces: Floats, wide: Floats, lengths: Floats) -> Floats:
     a = wide.argmax(1)
     b = (a + 1) % pieces.shape[1]
     middle = _middle(pieces[rows, a], pieces[rows, b], lengths[rows, a], lengths[rows, b])
-    first, second = pieces.copy(), pieces.copy()
-    first[rows, b] = middle
-    second[rows, a] = middle
-    return np.concatenate([first, second])
+    halves = np.concatenate([pieces, pieces])
+    halves[rows, b] = halves[len(rows) + rows, a] = middle
+    return halves
 
 
 def _cut(pieces: Floats, wide: Floats, lengths: Floats) -> Floats:
@@ -246,16 +266,18 @@ def _cut(pieces: Floats, wide: Floats, lengths: Floats) -> Floats:
     """
     rows = np.arange(len(pieces))[:, None]
     order = (wide.argmax(1)[:, None] + np.arange(4)) % 4
-    wide, lengths = wide[rows, order], lengths[rows, order]
-    a, b, c, d = np.moveaxis(pieces[rows, order], 1, 0)
-    middle = _middle(a, b, lengths[:, 0], lengths[:, 1])
-    opposite = np.where(wide[:, 2:3] > 0, _middle(c, d, lengths[:, 2], lengths[:, 3]), c)
-    return np.concatenate([np.stack([a, middle, opposite, d], 1), np.stack([middle, b, c, opposite], 1)])
+    pieces, lengths = pieces[rows, order], lengths[rows, order]
+    middles = _middle(pieces[:, ::2], pieces[:, 1::2], lengths[:, ::2], lengths[:, 1::2])
+    opposite_wide = wide[rows, order[:, 2:3]] > 0
+    halves = np.concatenate([pieces, pieces])
+    first, second = halves[: len(pieces)], halves[len(pieces) :]
+    first[:, 1] = second[:, 0] = middles[:, 0]
+    first[:, 2] = second[:, 3] = np.where(opposite_wide, middles[:, 1], pieces[:, 2])
+    return halves
 
 
 def _middle(a: Floats, b: Floats, a_length: Floats, b_length: Floats) -> Floats:
-    """Halfway, in angle, between points at these distances from the eye. a, b: (n, k); lengths: (n,)."""
-    middle: Floats = (b_length[:, None] * a + a_length[:, None] * b) / np.maximum(
-        a_length + b_length, 1e-300
-    )[:, None]
+    """Halfway, in angle, between points at these distances from the eye. a, b: (.., k); lengths: (..)."""
+    a_length, b_length = a_length[..., None], b_length[..., None]
+    middle: Floats = (b_length * a + a_length * b) / np.maximum(a_length + b_length, 1e-300)
     return middle

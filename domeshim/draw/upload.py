@@ -183,7 +183,7 @@ def completed(driver: Driver, run: Run) -> Run:
 
 
 def _filled(driver: Driver, name: str, values: NDArray[np.float32]) -> NDArray[np.float32]:
-    if not np.isnan(values[:, 0]).any():
+    if name in PIECE_ATTRIBUTES or not np.isnan(values[:, 0]).any():
         return values
     known = np.where(np.isnan(values), current_value(driver, name, values.shape[1]), values)
     return known.astype(np.float32)
