@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import ctypes
 import re
+from collections.abc import Callable
 from ctypes import POINTER, c_char_p, c_double, c_float, c_int, c_ssize_t, c_ubyte, c_uint, c_void_p
 from functools import cached_property
 from typing import Any
@@ -45,6 +46,8 @@ _SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "glPopAttrib": (None, ()),
     "glDrawArrays": (None, (_ENUM, _INT, _INT)),
     "glDrawElements": (None, (_ENUM, _INT, _ENUM, _POINTER)),
+    "glDrawArraysInstanced": (None, (_ENUM, _INT, _INT, _INT)),
+    "glDrawElementsInstanced": (None, (_ENUM, _INT, _ENUM, _POINTER, _INT)),
     "glInterleavedArrays": (None, (_ENUM, _INT, _POINTER)),
     "glMultiDrawArrays": (None, (_ENUM, POINTER(c_int), POINTER(c_int), _INT)),
     "glBegin": (None, (_ENUM,)),
@@ -277,6 +280,12 @@ def _look_up(name: str) -> Any:
     if not address:
         raise DriverError(f"this machine's OpenGL has no {name}; run `domeshim doctor` to see what it has")
     return prototype(address)
+
+
+def callable_from_c(name: str, call: Callable[..., Any]) -> Any:
+    """A function that C code may call instead of the entry point of this name, as long as it is kept."""
+    result, arguments = _SIGNATURES[name]
+    return ctypes.CFUNCTYPE(result, *arguments)(call)
 
 
 def _address(name: str) -> int:

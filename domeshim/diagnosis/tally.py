@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
-from domeshim.draw.patches import corners
+from domeshim.draw.patches import LINE_STRIP, POINTS, TRIANGLE_STRIP, corners
 
 PATCHES = 0x000E
 _QUADS, _QUAD_STRIP, _POLYGON = 7, 8, 9
+_POINT, _LINE = 0x1B00, 0x1B01
 
 
 @dataclass
@@ -52,3 +54,24 @@ def tally_of(mode: int, count: int, patch: int) -> Tally:
     elif mode == _POLYGON:
         primitives = min(primitives, 1)
     return Tally(1, count, primitives)
+
+
+def strips_of(mode: int, limits: list[int]) -> list[int]:
+    """The mode of glBegin that a glEvalMesh comes to, and the number of vertices of each block."""
+    columns = limits[1] - limits[0] + 1
+    rows = limits[3] - limits[2] + 1 if len(limits) == 4 else 1
+    if mode == _POINT:
+        return [POINTS, columns * rows]
+    if mode == _LINE:
+        across = [rows] * columns if len(limits) == 4 else []
+        return [LINE_STRIP, *[columns] * rows, *across]
+    return [TRIANGLE_STRIP, *[2 * columns] * (rows - 1)]
+
+
+def count_of(name: str, args: tuple[Any, ...]) -> int:
+    """How many vertices a call of the program's draws."""
+    place = {"glDrawElements": 1, "glDrawArrays": 2, "glDrawRangeElements": 3}.get(name)
+    try:
+        return int(args[place]) if place is not None else int(sum(args[2]))
+    except (IndexError, TypeError, ValueError):
+        return 0

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections import Counter, defaultdict
 from collections.abc import Callable
 from contextlib import contextmanager
-from ctypes import c_int, c_uint
+from ctypes import c_int, c_uint, c_void_p, cast
 from functools import wraps
 from typing import TYPE_CHECKING, Any
 
-from domeshim.diagnosis.tally import PATCHES, Made, Tally, tally_of
+from domeshim.diagnosis.tally import PATCHES, Made, Tally, count_of, strips_of, tally_of
 from domeshim.draw import subdivide
-from domeshim.draw.patches import LINE_STRIP, POINTS, TRIANGLE_STRIP
-from domeshim.driver import Driver
+from domeshim.driver import Driver, callable_from_c
 from domeshim.shading.recipe import Patch
 
 if TYPE_CHECKING:
@@ -21,8 +20,9 @@ if TYPE_CHECKING:
 _PATCH_VERTICES, _PRIMITIVES_GENERATED, _QUERY_RESULT = 0x8E72, 0x8C87, 0x8866
 _CURRENT_PROGRAM, _SOURCE_LENGTH, _MOST_SHADERS = 0x8B8D, 0x8B88, 16
 _COMPILE_AND_EXECUTE = 0x1301
+_BY_LIBRARIES = ("glCompileShader", "glLinkProgram", "glDrawArraysInstanced", "glDrawElementsInstanced")
+"""What moderngl calls to make programs and to draw by them."""
 _MESHES = ("glEvalMesh1", "glEvalMesh2")
-_POINT, _LINE = 0x1B00, 0x1B01
 _PROGRAM_DRAWS = ("glDrawArrays", "glDrawElements", "glDrawRangeElements", "glMultiDrawArrays")
 
 
@@ -48,12 +48,22 @@ class WatchedDriver(Driver):
         self._given: Tally | None = None
         """The primitives that the program gave, while their pieces are drawn."""
         self._asking = False
+        self._entries: dict[str, Any] = {}
+        """Our functions that C code calls, by name."""
         self.doing = ""
         """The pass over the picture that is under way, if one is."""
         self.owners: dict[int, str] = {}
         """Whose pass it was that drew by a program, by that one's name."""
         self.blits: Counter[str] = Counter()
         """Copies from framebuffer to framebuffer, by the pass that made them."""
+
+    def address(self, name: str) -> int:
+        """Where the entry point is, to a library that calls GL by itself: ours where we look on."""
+        if name not in _BY_LIBRARIES:
+            return self._gl.address(name)
+        if name not in self._entries:
+            self._entries[name] = callable_from_c(name, getattr(self, name))
+        return cast(self._entries[name], c_void_p).value or 0
 
     def begin_picture(self) -> None:
         """Count from the start."""
@@ -102,7 +112,7 @@ class WatchedDriver(Driver):
     def _counted(self, name: str, original: Callable[..., Any]) -> Callable[..., Any]:
         @wraps(original)
         def call(*args: Any, **named: Any) -> Any:
-            with self._drawing(int(args[0]), _count_of(name, args)):
+            with self._drawing(int(args[0]), count_of(name, args)):
                 return original(*args, **named)
 
         return call
@@ -110,7 +120,7 @@ class WatchedDriver(Driver):
     def _counted_mesh(self, original: Callable[..., Any]) -> Callable[..., Any]:
         @wraps(original)
         def call(mode: int, *limits: int) -> Any:
-            with self._drawing(*_strips_of(int(mode), [int(limit) for limit in limits])):
+            with self._drawing(*strips_of(int(mode), [int(limit) for limit in limits])):
                 return original(mode, *limits)
 
         return call
@@ -166,6 +176,16 @@ class WatchedDriver(Driver):
         """Count it."""
         with self._drawing(mode, count):
             self._gl.glDrawElements(mode, count, kind, indices)
+
+    def glDrawArraysInstanced(self, mode: int, first: int, count: int, instances: int) -> None:
+        """Count it."""
+        with self._drawing(mode, *[count] * instances):
+            self._gl.glDrawArraysInstanced(mode, first, count, instances)
+
+    def glDrawElementsInstanced(self, mode: int, count: int, kind: int, indices: Any, instances: int) -> None:
+        """Count it."""
+        with self._drawing(mode, *[count] * instances):
+            self._gl.glDrawElementsInstanced(mode, count, kind, indices, instances)
 
     def glMultiDrawArrays(self, mode: int, firsts: Any, counts: Any, number: int) -> None:
         """Count it, as one."""
@@ -285,24 +305,3 @@ class WatchedDriver(Driver):
         found = c_uint()
         self._gl.glGetQueryObjectuiv(self._query, _QUERY_RESULT, found)
         self.tallies[self._bound].generated += found.value
-
-
-def _strips_of(mode: int, limits: list[int]) -> list[int]:
-    """The mode of glBegin that a glEvalMesh comes to, and the number of vertices of each block."""
-    columns = limits[1] - limits[0] + 1
-    rows = limits[3] - limits[2] + 1 if len(limits) == 4 else 1
-    if mode == _POINT:
-        return [POINTS, columns * rows]
-    if mode == _LINE:
-        across = [rows] * columns if len(limits) == 4 else []
-        return [LINE_STRIP, *[columns] * rows, *across]
-    return [TRIANGLE_STRIP, *[2 * columns] * (rows - 1)]
-
-
-def _count_of(name: str, args: tuple[Any, ...]) -> int:
-    """How many vertices a call of the program's draws."""
-    place = {"glDrawElements": 1, "glDrawArrays": 2, "glDrawRangeElements": 3}.get(name)
-    try:
-        return int(args[place]) if place is not None else int(sum(args[2]))
-    except (IndexError, TypeError, ValueError):
-        return 0

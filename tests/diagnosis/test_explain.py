@@ -132,6 +132,10 @@ def test_the_passes_of_a_picture(explain):
         ("multisample resolve of the faces", "resampling", "rim", "finish", "multisample resolve"), 1
     )
     assert "1 face of a cube" in seen["spared"]
+    ways = {way["kind"]: way for way in seen["draws"]}
+    assert ways["resampling"]["primitives"] == 1
+    assert ways["finish"]["primitives"] == ways["finish"]["generated"] > 0
+    assert all(ways[kind]["characters"] > 200 for kind in ("resampling", "finish"))
     plain = next(way for way in seen["draws"] if "fog" in way["left_out"] and way["kind"] == "draw")
     assert (plain["draws"], plain["passes"]) == (6, 5)
     assert plain["generated"] == 5 * plain["primitives"]
