@@ -96,7 +96,7 @@ class Observer(Photographer):
         for program, tally in self._driver.tallies.items():
             recipe, made = recipes.get(program), self._driver.made[program]
             kind = self._kind(program, recipe, context)
-            passes = len(context.canvas.views) if kind in ("draw", "own") else 1
+            passes = len(context.canvas.views) if kind in ("draw", "own", "own pieces") else 1
             found.append(
                 {
                     "kind": kind,
@@ -122,7 +122,9 @@ class Observer(Photographer):
             return "draw"
         if program in self._driver.owners:
             return str(self._driver.owners[program])
-        return "own" if context.own.draws_by(program) else "unbent"
+        if context.own.named(program) is not None:
+            return "own"
+        return "own pieces" if context.own.subdivides_by(program) else "unbent"
 
 
 def main(arguments: Sequence[str]) -> None:

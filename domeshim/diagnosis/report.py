@@ -12,6 +12,7 @@ from domeshim.wording import counted
 _WIDTH = 100
 _OTHERS = {
     "own": "the program's own GLSL, taken onto the dome",
+    "own pieces": "the program's own GLSL, taken onto the dome and subdivided",
     "unbent": "as on the monitor: no program of the dome's was bound",
 }
 _SCENE = ("draw", *_OTHERS)

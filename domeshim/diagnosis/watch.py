@@ -10,7 +10,7 @@ from functools import wraps
 from typing import TYPE_CHECKING, Any
 
 from domeshim.diagnosis.tally import PATCHES, Made, Tally, count_of, strips_of, tally_of
-from domeshim.draw import subdivide
+from domeshim.draw import own_patches, subdivide
 from domeshim.driver import Driver, callable_from_c
 from domeshim.shading.recipe import Patch
 
@@ -83,6 +83,11 @@ class WatchedDriver(Driver):
             ("draw_strips", True, lambda _run, lines, *_: len(lines)),
         ):
             setattr(subdivide, name, self._counted_as_given(getattr(subdivide, name), primitives, cut=cut))
+        own_patches.draw_copies = self._counted_as_given(
+            own_patches.draw_copies,
+            lambda patch, _program, halvings, _by_number, copies: copies.size // patch.corners >> halvings,
+            cut=False,
+        )
 
     def _counted_as_given(
         self, original: Callable[..., None], primitives: Callable[..., int], *, cut: bool

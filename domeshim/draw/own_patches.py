@@ -82,12 +82,12 @@ def draw_parts(context: DomeContext, parts: Parts, by_number: ByNumber) -> None:
         assert program is not None
         halvings = min(parts.halvings, (_MOST // len(indices)).bit_length() - 1)
         copies = np.repeat(numbers, 1 << halvings, axis=0).ravel()
-        context.draw(partial(_draw_copies, program, halvings, by_number, patch.mode, copies), patch)
+        context.draw(partial(draw_copies, patch, program, halvings, by_number, copies), patch)
 
 
-def _draw_copies(
-    program: Uniforms, halvings: int, by_number: ByNumber, mode: int, copies: NDArray[np.uint32]
+def draw_copies(
+    patch: Patch, program: Uniforms, halvings: int, by_number: ByNumber, copies: NDArray[np.uint32]
 ) -> None:
-    """Draw each primitive's copies, by a program that is bound."""
+    """Draw the 2^halvings copies of each primitive, by a program that is bound."""
     program.set("domeHalvings", (halvings,))
-    by_number(mode, copies)
+    by_number(patch.mode, copies)

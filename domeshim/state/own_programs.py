@@ -116,9 +116,9 @@ class OwnPrograms:
         """The program of this name if it ends on the dome by itself."""
         return self._programs.get(name)
 
-    def draws_by(self, name: int) -> bool:
-        """The program of this name is one that ends on the dome, or draws in the place of one."""
-        return name in self._programs or any(own.subdivided.has(name) for own in self._programs.values())
+    def subdivides_by(self, name: int) -> bool:
+        """The program of this name draws in the place of one of the program's own."""
+        return any(own.subdivided.has(name) for own in self._programs.values())
 
     def forget(self, name: int) -> None:
         """The program is deleted or linked anew."""

@@ -81,6 +81,32 @@ glutDisplayFunc(display); glutMainLoop()
 """
 
 
+SHADED = """
+from OpenGL.GL import *
+from OpenGL.GLU import *
+from OpenGL.GLUT import *
+def display():
+    glClear(GL_COLOR_BUFFER_BIT)
+    glMatrixMode(GL_PROJECTION); glLoadIdentity(); gluPerspective(60, 1, .1, 100)
+    glUseProgram(name)
+    glBegin(GL_QUADS)
+    for x, z in ((-40, 40), (40, 40), (40, -40), (-40, -40)):
+        glVertex3f(x, -1.5, z)
+    glEnd()
+    glMatrixMode(GL_MODELVIEW); glTranslatef(0, 0, -1)
+    glBegin(GL_TRIANGLES)
+    for x, y in ((0, 0), (.1, 0), (0, .1)):
+        glVertex3f(x, y, -20)
+    glEnd()
+    glutSwapBuffers()
+glutInit(); glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB); glutCreateWindow("shaded")
+name, shader = glCreateProgram(), glCreateShader(GL_VERTEX_SHADER)
+glShaderSource(shader, "void main() { gl_Position = ftransform(); gl_FrontColor = vec4(1.0); }")
+glCompileShader(shader); glAttachShader(name, shader); glLinkProgram(name)
+glutDisplayFunc(display); glutMainLoop()
+"""
+
+
 @pytest.fixture
 def explain(tmp_path):
     def explain(*options: str) -> subprocess.CompletedProcess[str]:
@@ -167,6 +193,13 @@ def test_a_few_lines_and_quads_are_counted_as_the_program_gave_them(tmp_path):
     ways = drawn_by(FEW, tmp_path)
     assert {way["primitives"] for way in ways} == {6, 1}
     assert all(way["generated"] > 20 for way in ways)
+
+
+def test_what_own_shaders_draw_is_counted_as_the_program_gave_it(tmp_path):
+    pieces, whole = sorted(drawn_by(SHADED, tmp_path), key=lambda way: way["kind"], reverse=True)
+    assert (pieces["kind"], whole["kind"]) == ("own pieces", "own")
+    assert (pieces["primitives"], whole["primitives"]) == (2, 1)
+    assert pieces["generated"] > 20
 
 
 def test_what_gl_evaluates_is_counted_once(tmp_path):
