@@ -33,6 +33,8 @@ class EvaluatedDraws:
         self._submitter = submitter
         self._lists = lists
         self._evaluator = Evaluator(context.driver)
+        self.nurbs_begun = False
+        """GLU is between the beginning and the end of a curve or surface."""
 
     def draw_mesh(self, draw: Callable[[], object], kind: Evaluated | None, limits: Sequence[int]) -> None:
         """Make a draw of glEvalMesh; limits: the steps of the grid from which and to which it goes."""

@@ -44,8 +44,37 @@ def nurbs(*, curve: bool) -> Maker:
             evaluated = dome.evaluated
             if evaluated is None:
                 return drawn()
+            evaluated.nurbs_begun = False
             surface: Evaluated = "triangles" if _asked(nurb, _DISPLAY_MODE) == _FILL else "outlines"
             return evaluated.draw_once(drawn, "lines" if curve else surface)
+
+        return call
+
+    return make
+
+
+def nurbs_begin(dome: Dome, original: Call) -> Call:
+    """gluBeginCurve and gluBeginSurface: nothing is drawn before the end."""
+
+    def call(nurb: Any, *more: Any) -> Any:
+        evaluated = dome.evaluated
+        if evaluated is not None:
+            evaluated.nurbs_begun = True
+        return original(nurb, *more)
+
+    return call
+
+
+def nurbs_whole(*, curve: bool) -> Maker:
+    """gluNurbsCurve and gluNurbsSurface: what is given before a beginning is begun and ended by GLU."""
+
+    def make(dome: Dome, original: Call) -> Call:
+        drawing = nurbs(curve=curve)(dome, original)
+
+        def call(nurb: Any, *more: Any) -> Any:
+            evaluated = dome.evaluated
+            begun = evaluated is None or evaluated.nurbs_begun
+            return (original if begun else drawing)(nurb, *more)
 
         return call
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from scipy import ndimage
 
+from domeshim.driver import Driver
 from tests.pictures.beside import checks
 from tests.pictures.test_subdivision import SIZE, perspective
 
@@ -230,3 +231,29 @@ def test_tessellating_nurbs_call_the_program(beside):
     picture = beside.through_dome(scene, (SIZE, SIZE), fov=180.0).picture
     assert (picture[..., 1] > 200).mean() > 0.1
     assert picture[..., 0].max() == 0
+
+
+def test_nurbs_without_a_beginning_are_drawn_at_once(beside):
+    def scene(gl, begun):
+        perspective(gl)
+        surface = gl.gluNewNurbsRenderer()
+        knots = np.array([0, 0, 1, 1], np.float32)
+        if begun:
+            gl.gluBeginSurface(surface)
+        gl.gluNurbsSurface(
+            surface, knots, knots, np.reshape(CORNERS, (2, 2, 3)).astype(np.float32), gl.GL_MAP2_VERTEX_3
+        )
+        if begun:
+            gl.gluEndSurface(surface)
+
+    options = {"fov": 180.0, "size": (SIZE, SIZE)}
+    at_once, begun = (beside.through_dome(lambda gl, k=k: scene(gl, k), **options).picture for k in (0, 1))
+    assert (begun.max(-1) > 0).mean() > 0.1
+    assert np.array_equal(at_once, begun)
+
+
+def test_opengl_2_says_that_it_cannot(beside, monkeypatch, capsys):
+    monkeypatch.setattr(Driver, "version", (2, 1))
+    monkeypatch.setitem(vars(beside.session.dome._driver), "legacy", True)
+    drawn(beside, mesh, COARSE)
+    assert capsys.readouterr().err.count("this OpenGL cannot say what it evaluates") == 1
