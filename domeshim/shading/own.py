@@ -31,10 +31,15 @@ _COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 _VERSION = re.compile(r"[ \t]*#[ \t]*version[ \t]+(\d+)[ \t]*(\w*)")
 _DIRECTIVE = re.compile(r"\s*#\s*(if|endif|extension)?")
 _PROJECTION = re.compile(r"\b(ftransform|gl_(ModelView)?Projection\w*)\b")
-_FIXED_PLACE = re.compile(
-    r"\bgl_Position\s*=\s*(ftransform\s*\(\s*\)|gl_ModelViewProjectionMatrix\s*\*\s*gl_Vertex"
-    r"|gl_ProjectionMatrix\s*\*\s*(\(\s*)?gl_ModelViewMatrix\s*\*\s*gl_Vertex(\s*\))?)\s*;"
-)
+_FIXED_PLACES = {
+    "ftransform",
+    "gl_ModelViewProjectionMatrix*gl_Vertex",
+    "gl_ProjectionMatrix*gl_ModelViewMatrix*gl_Vertex",
+}
+"""What puts a vertex where the fixed pipeline does, without its spaces and brackets."""
+_POSITION = re.compile(r"\bgl_Position\s*=\s*([^;=]+);")
+_LOCAL = re.compile(r"\bvec4\s+(\w+)\s*=\s*([^;{}]+);")
+_GIVES_BACK = re.compile(r"\b(in)?out\s+\w+\s+\w+\s*[,)]")
 _MAIN = re.compile(r"\bmain\s*\(")
 _MAIN_AROUND = """\
 #undef main
@@ -131,7 +136,16 @@ def uses_projection(text: str) -> bool:
 def leaves_fixed_place(text: str) -> bool:
     """The shader surely puts each vertex where the fixed pipeline would."""
     code = bare(text)
-    return len(_FIXED_PLACE.findall(code)) == code.count("gl_Position") > 0
+    position = _POSITION.search(code)
+    if position is None or code.count("gl_Position") > 1:
+        return False
+    formula = position[1]
+    if not _GIVES_BACK.search(code):  # else a function may change what a name stands for
+        for name, value in reversed(_LOCAL.findall(code)):
+            assigned = re.findall(rf"\b{name}\b\s*(?:\.\w+\s*|\[[^\]]*\]\s*)*[-+*/]?=(?!=)", code)
+            if len(assigned) == 1:
+                formula = f"({value})".join(re.split(rf"\b{name}\b", formula))
+    return re.sub(r"[\s()]", "", formula) in _FIXED_PLACES
 
 
 def has_main(text: str) -> bool:

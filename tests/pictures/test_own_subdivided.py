@@ -335,7 +335,7 @@ def test_a_program_with_stages_of_its_own_stays_and_says_why(
     "vertex",
     [
         "gl_Position = ftransform();",
-        "gl_Position = gl_ProjectionMatrix * gl_ModelViewMatrix * gl_Vertex;",
+        "vec4 eye = gl_ModelViewMatrix * gl_Vertex; gl_Position = gl_ProjectionMatrix * eye;",
     ],
 )
 def test_a_mesh_without_long_edges_stays_with_the_plain_program(beside: Beside, vertex: str) -> None:
@@ -377,6 +377,7 @@ def test_a_shader_that_moves_its_vertices_is_looked_at_where_they_go(beside: Bes
 
 def test_the_panel_stays_as_it_is(beside: Beside) -> None:
     def scene(gl: GL) -> None:
+        gl.glClear(gl.GL_COLOR_BUFFER_BIT)
         gl.glUseProgram(both(gl, COLOURED, COLOUR))
         gl.glBegin(gl.GL_QUADS)
         for i, corner in enumerate(CORNERS):

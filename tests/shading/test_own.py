@@ -8,7 +8,7 @@ from dataclasses import replace
 import pytest
 
 from domeshim.shading import exchange
-from domeshim.shading.own import Landing, has_main, rewritten, uses_projection
+from domeshim.shading.own import Landing, has_main, leaves_fixed_place, rewritten, uses_projection
 from tests.shading.test_compose import LENSES
 
 PLAIN = "void main() { gl_Position = ftransform(); }"
@@ -253,3 +253,32 @@ def test_only_the_programs_own_uniforms_are_visible(driver):
     assert outcome.program is not None
     assert len(outcome.program.visible) == 1
     assert outcome.program.hidden >= 4
+
+
+@pytest.mark.parametrize(
+    ("statements", "fixed"),
+    [
+        ("gl_Position = ftransform ( ) ;", True),
+        ("gl_Position = gl_ProjectionMatrix * (gl_ModelViewMatrix * gl_Vertex);", True),
+        ("vec4 eye = gl_ModelViewMatrix * gl_Vertex; gl_Position = gl_ProjectionMatrix * eye;", True),
+        (
+            "vec4 v = gl_Vertex; vec4 eye = gl_ModelViewMatrix * v; gl_Position = gl_ProjectionMatrix * eye;",
+            True,
+        ),
+        ("vec4 v = gl_Vertex; v.y += 1.0; gl_Position = gl_ModelViewProjectionMatrix * v;", False),
+        ("vec4 v = gl_Vertex; v = 2.0 * v; gl_Position = gl_ModelViewProjectionMatrix * v;", False),
+        ("vec4 v = gl_Vertex + vec4(1.0); gl_Position = gl_ModelViewProjectionMatrix * v;", False),
+        ("gl_Position = ftransform(); gl_Position.x += 1.0;", False),
+        ("gl_Position = gl_ModelViewProjectionMatrix * bent(gl_Vertex);", False),
+        ("gl_Position = projection * gl_ModelViewMatrix * gl_Vertex;", False),
+        ("// gl_Position = ftransform();", False),
+    ],
+)
+def test_which_shaders_leave_the_fixed_pipelines_place(statements: str, fixed: bool):
+    assert leaves_fixed_place(f"void main() {{ {statements}\n}}") is fixed
+
+
+def test_a_function_may_change_what_a_name_stands_for():
+    moved = "void f(inout vec4 p) { p.x += 1.0; } "
+    main = "void main() { vec4 v = gl_Vertex; f(v); gl_Position = gl_ModelViewProjectionMatrix * v; }"
+    assert not leaves_fixed_place(moved + main)
