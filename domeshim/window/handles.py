@@ -13,10 +13,8 @@ import glfw
 from OpenGL import GL
 from OpenGL.platform import PLATFORM
 
-from domeshim.window.contract import DOME_SAMPLES, SurfaceFormat
+from domeshim.window.contract import SurfaceFormat, suiting_samples
 
-_PROCESSOR = ("llvmpipe", "softpipe", "swrast", "software")
-"""In the names of renderers that draw without a GPU."""
 _ACCUMULATION = (glfw.ACCUM_RED_BITS, glfw.ACCUM_GREEN_BITS, glfw.ACCUM_BLUE_BITS, glfw.ACCUM_ALPHA_BITS)
 
 
@@ -66,13 +64,9 @@ def create(
 
 
 def dome_samples(handle: Any) -> int:
-    """As many samples as suit the dome on this window's driver.
-
-    0 where the processor draws, for there they cost a simple picture ten times its time.
-    """
+    """As many samples as suit the dome on this window's driver."""
     glfw.make_context_current(handle)
-    renderer = GL.glGetString(GL.GL_RENDERER).decode(errors="replace").lower()
-    return 0 if any(name in renderer for name in _PROCESSOR) else DOME_SAMPLES
+    return suiting_samples(GL.glGetString(GL.GL_RENDERER))
 
 
 @contextmanager

@@ -5,7 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from domeshim.window.contract import SurfaceFormat
+from domeshim.driver import Driver
+from domeshim.window.contract import SurfaceFormat, suiting_samples
+
+_RENDERER = 0x1F01
 
 
 class Hints:
@@ -57,7 +60,7 @@ class Hints:
         )
 
     def opened_with_samples(self, opening: Callable[[], Any], samples: int) -> Any:
-        """Open a window that smooths edges if the program did not ask for one and the driver has it."""
+        """Open a window that smooths edges if the program asks for none, the driver has it and it suits."""
         glfw = self._glfw
         if not samples or glfw.SAMPLES in self._asked:
             return opening()
@@ -66,7 +69,19 @@ class Hints:
             handle = opening()
         finally:
             glfw.window_hint(glfw.SAMPLES, 0)
+        if handle and not self._samples_suit(handle):
+            glfw.destroy_window(handle)
+            handle = None
         return handle or opening()
+
+    def _samples_suit(self, handle: Any) -> bool:
+        glfw = self._glfw
+        current = glfw.get_current_context()
+        glfw.make_context_current(handle)
+        try:
+            return suiting_samples(Driver().glGetString(_RENDERER)) > 0
+        finally:
+            glfw.make_context_current(current or None)
 
     def opened_without_gl(self, opening: Callable[[], Any]) -> Any:
         """Open a window for its events alone."""

@@ -175,6 +175,34 @@ def test_pygame_opens_its_window_also_before_pygame_init(tmp_path):
     assert (done.returncode, done.stdout.splitlines()[-1:]) == (0, ["True"]), done.stderr
 
 
+GLFW_SAMPLES = """
+import glfw
+from OpenGL.GL import *
+glfw.init()
+{}
+first = glfw.create_window(60, 60, "first", None, None)
+glfw.make_context_current(first)
+glfw.create_window(60, 60, "second", None, first)
+glClear(GL_COLOR_BUFFER_BIT)  # in the first, as before
+samples, renderer = glGetInteger(GL_SAMPLES), glGetString(GL_RENDERER)
+print(samples > 1, b"llvmpipe" in renderer)
+"""
+
+
+@needs_xvfb
+@pytest.mark.parametrize("asked", [False, True])
+def test_edges_are_smoothed_in_glfws_windows_where_a_gpu_draws_or_the_program_asks(tmp_path, asked):
+    """The processor would take ten times as long for a simple picture."""
+    source = GLFW_SAMPLES.format("glfw.window_hint(glfw.SAMPLES, 4)" if asked else "")
+    runs.write(tmp_path, source)
+    done = run_on_display(
+        [sys.executable, "-m", "domeshim", "run", "prog.py"], runs.environment(), folder=tmp_path
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    smoothed, by_processor = (word == "True" for word in done.stdout.split())
+    assert smoothed == (asked or not by_processor)
+
+
 def test_a_window_of_an_unknown_toolkit_is_told_of_once(tmp_path):
     stranger = """
 from domeshim.window.contract import SurfaceFormat, WindowEvents
