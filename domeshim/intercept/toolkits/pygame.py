@@ -107,14 +107,19 @@ class PygameToolkit(ToolkitHost):
         return surface
 
     def _with_samples(self, opening: Callable[[], Any]) -> Any:
-        """Open a window that smooths edges if the program did not ask for one and the driver has it."""
+        """Open a window that smooths edges if the program asks for none, the driver has it and it suits."""
         if not self.samples_wished or _SAMPLES in self._asked or _SAMPLE_BUFFERS in self._asked:
+            return opening()
+        from domeshim.window.probe import probed_samples  # noqa: PLC0415 - brings all of GL with it
+
+        samples = probed_samples()
+        if not samples:
             return opening()
         if not self._display["get_init"]():
             self._display["init"]()  # set_mode would, but too late for the samples
         put = self._display["gl_set_attribute"]
         put(_SAMPLE_BUFFERS, 1)
-        put(_SAMPLES, self.samples_wished)
+        put(_SAMPLES, samples)
         try:
             return opening()
         except Exception:  # noqa: BLE001,RUF100 - pygame.error; asked again as the program did, it may go well

@@ -189,12 +189,34 @@ print(samples > 1, b"llvmpipe" in renderer)
 """
 
 
+PYGAME_SAMPLES = """
+import pygame
+from OpenGL.GL import *
+pygame.display.init()
+{}
+pygame.display.set_mode((60, 60), pygame.OPENGL | pygame.DOUBLEBUF)
+glClear(GL_COLOR_BUFFER_BIT)
+samples, renderer = glGetInteger(GL_SAMPLES), glGetString(GL_RENDERER)
+print(samples > 1, b"llvmpipe" in renderer)
+"""
+PYGAME_ASKS = "pygame.display.gl_set_attribute(pygame.GL_MULTISAMPLEBUFFERS, 1)\n" + (
+    "pygame.display.gl_set_attribute(pygame.GL_MULTISAMPLESAMPLES, 4)"
+)
+
+
 @needs_xvfb
+@pytest.mark.parametrize(
+    ("source", "asking"),
+    [
+        (GLFW_SAMPLES, "glfw.window_hint(glfw.SAMPLES, 4)"),
+        pytest.param(PYGAME_SAMPLES, PYGAME_ASKS, marks=needs_pygame),
+    ],
+    ids=["glfw", "pygame"],
+)
 @pytest.mark.parametrize("asked", [False, True])
-def test_edges_are_smoothed_in_glfws_windows_where_a_gpu_draws_or_the_program_asks(tmp_path, asked):
+def test_edges_are_smoothed_in_windows_where_a_gpu_draws_or_the_program_asks(tmp_path, source, asking, asked):
     """The processor would take ten times as long for a simple picture."""
-    source = GLFW_SAMPLES.format("glfw.window_hint(glfw.SAMPLES, 4)" if asked else "")
-    runs.write(tmp_path, source)
+    runs.write(tmp_path, source.format(asking if asked else ""))
     done = run_on_display(
         [sys.executable, "-m", "domeshim", "run", "prog.py"], runs.environment(), folder=tmp_path
     )
