@@ -8,6 +8,7 @@ import subprocess
 import sys
 import time
 from datetime import datetime
+from itertools import chain, count
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -104,10 +105,9 @@ class Audience:
 
     def _next_file(self) -> Path:
         self._files += 1
-        if self._options.record is None:
-            return Path(f"domeshim-{datetime.now():%Y%m%d-%H%M%S}.mp4").absolute()
-        path = Path(self._options.record).absolute()
-        return path if self._files == 1 else path.with_stem(f"{path.stem}-{self._files}")
+        path = Path(self._options.record or f"domeshim-{datetime.now():%Y%m%d-%H%M%S}.mp4").absolute()
+        asked_for = self._options.record is not None and self._files == 1
+        return path if asked_for else unused(path)
 
     def _end_recording(self) -> None:
         from domeshim.startup import say  # noqa: PLC0415 - which imports the session
@@ -151,6 +151,12 @@ class Audience:
         here = self._board.name, str(os.getpid())
         command = [sys.executable, "-m", "domeshim.preview.beside", *here, *told]
         self._viewer = subprocess.Popen(command, env={**os.environ, "DOME": "0"})
+
+
+def unused(path: Path) -> Path:
+    """The path, or where a file is there already, the first of path-2, path-3 and so on where none is."""
+    numbered = (path.with_stem(f"{path.stem}-{number}") for number in count(2))
+    return next(free for free in chain([path], numbered) if not free.exists())
 
 
 def _has_context() -> bool:

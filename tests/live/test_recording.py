@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from domeshim.errors import OptionError
+from domeshim.live.audience import unused
 from domeshim.live.readback import Picture
 from domeshim.live.shared import LARGEST, Board
 from tests.displays import needs_xvfb
@@ -40,6 +41,14 @@ def test_other_kinds_of_film_are_refused(tmp_path: Path):
 
     with pytest.raises(OptionError, match="accepted"):
         Recording(tmp_path / "film.gif")
+
+
+def test_a_recording_takes_a_name_that_is_free(tmp_path: Path):
+    found = []
+    for _ in range(3):
+        found.append(unused(tmp_path / "film.mp4"))
+        found[-1].touch()
+    assert [path.name for path in found] == ["film.mp4", "film-2.mp4", "film-3.mp4"]
 
 
 @pytest.mark.parametrize("suffix", ["mp4", "webm"])
