@@ -6,7 +6,7 @@ import numpy as np
 
 from domeshim.draw.client_arrays import client_arrays, switch_off
 from domeshim.driver import Driver
-from domeshim.shading.compose import Source, version_for
+from domeshim.shading.draft import Source, version_for
 from domeshim.shading.snippets import snippet
 
 _V2F = 0x2A20

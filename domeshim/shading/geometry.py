@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from functools import lru_cache
 
-from domeshim.shading.compose import Draft, Source
+from domeshim.shading.draft import Draft, Source
 from domeshim.shading.pieces import (
     Stages,
     add_edges,

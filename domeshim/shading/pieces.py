@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from domeshim.shading.compose import Draft, Source, add_attributes, add_lens, add_level, add_surface
+from domeshim.shading.compose import add_attributes, add_lens, add_level, add_surface
+from domeshim.shading.draft import Draft, Source
 from domeshim.shading.recipe import Patch, Recipe
 
 

@@ -11,7 +11,7 @@ from domeshim.errors import ShaderError
 
 if TYPE_CHECKING:
     from domeshim.driver import Driver
-    from domeshim.shading.compose import Source
+    from domeshim.shading.draft import Source
 
 _VERTEX, _FRAGMENT, _CONTROL, _EVALUATION, _GEOMETRY = 0x8B31, 0x8B30, 0x8E88, 0x8E87, 0x8DD9
 _INTERLEAVED = 0x8C8C

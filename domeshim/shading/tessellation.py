@@ -5,7 +5,7 @@ The control shader finds each edge's pieces by its angle; the evaluation shader 
 
 from __future__ import annotations
 
-from domeshim.shading.compose import Draft, Source
+from domeshim.shading.draft import Draft, Source
 from domeshim.shading.pieces import (
     Stages,
     add_edges,

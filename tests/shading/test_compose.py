@@ -4,7 +4,8 @@ import itertools
 
 import pytest
 
-from domeshim.shading.compose import LEGACY_VERSION, VERSION, compose
+from domeshim.shading.compose import compose
+from domeshim.shading.draft import LEGACY_VERSION, VERSION
 from domeshim.shading.recipe import ColorMaterial, Light, Lighting, Mapping, Recipe, Scene, Texture
 from domeshim.shading.snippets import glsl_folder, snippet
 

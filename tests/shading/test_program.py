@@ -6,7 +6,8 @@ import pytest
 
 from domeshim.driver import Driver
 from domeshim.errors import ShaderError
-from domeshim.shading.compose import Source, compose, levels_fragment
+from domeshim.shading.compose import compose, levels_fragment
+from domeshim.shading.draft import Source
 from domeshim.shading.program import Program, explain
 from domeshim.shading.recipe import Mapping, Recipe
 from tests.shading.test_compose import every_mapping, every_scene
