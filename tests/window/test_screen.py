@@ -11,7 +11,7 @@ from tests.displays import needs_xvfb
 from tests.GLUT.program_runs import run_on_screen
 
 OPEN_TWO = """
-from domeshim.window import handles
+from domeshim.window import contract, handles
 from domeshim.window.contract import SurfaceFormat, WindowEvents
 from domeshim.window.screen import ScreenBackend
 {before}
@@ -36,7 +36,7 @@ print([window.size for window in windows], [glfw.get_window_attrib(w.handle, glf
     ("before", "told"),
     [
         ("", "[0, 0] [False, True]"),
-        ("handles._PROCESSOR = ()  # as if a GPU drew", "[4, 4] [False, True, True]"),
+        ("contract._PROCESSOR = ()  # as if a GPU drew", "[4, 4] [False, True, True]"),
     ],
 )
 def test_the_first_window_tells_how_many_samples_suit_the_dome(tmp_path, before, told):
