@@ -15,6 +15,7 @@ from domeshim.draw.split import split_wide, triangles_under
 from domeshim.draw.strips import line_strips
 from domeshim.record.runs import Block, Run
 from domeshim.shading.recipe import Patch, PatchMethod
+from domeshim.state.subdivision import FEW_PIECES
 
 if TYPE_CHECKING:
     from domeshim.state.context import DomeContext
@@ -22,10 +23,6 @@ if TYPE_CHECKING:
 
 _LINE_STIPPLE, _SHADE_MODEL, _FLAT = 0x0B24, 0x0B54, 0x1D00
 _POLYGON_MODE, _CULL_FACE = 0x0B40, 0x0B44
-
-
-_FEW_PIECES = 4
-"""Where no edge has more, looking for quads among triangles costs more than it saves."""
 
 Making = Callable[[Callable[[], object]], object]
 """Makes a draw where it belongs, as often as there are views."""
@@ -110,7 +107,7 @@ def _draw_chosen(
         indices, subdivision = primitives.indices[numbers], choice.subdivisions[level]
         if subdivision is None:
             drawer.draw_some(mode, run, indices, context.draw)
-        elif level == 1 and choice.pieces <= _FEW_PIECES and subdivision.method == "tessellate":
+        elif level == 1 and choice.pieces <= FEW_PIECES and subdivision.method == "tessellate":
             draw_patches(taken(run, indices), primitives.kind, context, drawer, subdivision)
         else:
             piece = replace(taken(run, indices), blocks=(Block(mode, 0, indices.size),))

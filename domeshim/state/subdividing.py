@@ -16,6 +16,7 @@ from domeshim.state.perspective import Matrix
 from domeshim.state.placement import Placement
 from domeshim.state.subdivision import Choice, Method, Subdivision, Tolerance, method_of
 from domeshim.state.whereabouts import matrix
+from domeshim.window.contract import processor_draws
 from domeshim.window.frame import Frame
 
 if TYPE_CHECKING:
@@ -154,12 +155,25 @@ class Subdividing:
         """What subdivides, if anything does."""
         return method_of(self._options.method, self._context.driver, self._context.say_once)
 
+    @cached_property
+    def _method_of_few(self) -> Method | None:
+        """What makes few pieces of edges for less: geometry shaders where the processor draws, by a third."""
+        by_processor = processor_draws(self._context.driver.glGetString(_RENDERER))
+        return "geometry" if by_processor and self.method == "tessellate" else None
+
     @property
     def tolerance(self) -> Tolerance:
         """What the tolerance asks of the lens in this frame."""
         context = self._context
         if self._tolerance is None or self._tolerance[0] is not context.frame:
-            found = Tolerance(self._options, context.lens, context.orientation, context.frame, self.method)
+            found = Tolerance(
+                self._options,
+                context.lens,
+                context.orientation,
+                context.frame,
+                self.method,
+                self._method_of_few,
+            )
             self._tolerance = context.frame, found
         return self._tolerance[1]
 

@@ -32,6 +32,8 @@ _ORDER: dict[Method, str] = {
 _OLDEST = {"tessellate": (4, 0), "geometry": (3, 2), "cpu": (0, 0)}
 """The version of GL from which on each is there."""
 
+FEW_PIECES = 4
+"""Where no edge has more, looking for quads among triangles costs more than it saves."""
 _MOST_PIECES = 16
 """Of the 64 pieces that every tessellator has: with more, the inside follows the edges less evenly."""
 _WIDEST = 1.2
@@ -82,9 +84,17 @@ class Tolerance:
     """What DOME_TOLERANCE asks of a lens in a frame."""
 
     def __init__(
-        self, options: Options, lens: Lens, orientation: Orientation, frame: Frame, method: Method | None
+        self,
+        options: Options,
+        lens: Lens,
+        orientation: Orientation,
+        frame: Frame,
+        method: Method | None,
+        few: Method | None = None,
     ) -> None:
+        """few: the method where a mesh's edges need few pieces, if it is another."""
         self._method = method
+        self._few = few or method
         self._always = options.method in ("tessellate", "geometry")
         _, _, width, height = frame.square
         self.half = (width / 2, height / 2)
@@ -159,8 +169,18 @@ class Tolerance:
         levels[near] = 1
         if self.least < 1 or (angles[near] > limit.widest).any():
             levels[near[_over(corners[near], to_eye, limit)]] = 2
-        subdivisions = (None, *(Subdivision(self._method, limit, split) for split in (False, True)))
-        return Choice(levels, subdivisions, self.detail * float(angles[levels == 1].max(initial=0.0)))
+        pieces = self.detail * float(angles[levels == 1].max(initial=0.0))
+        cut = Subdivision(self._method_of(pieces, scene), limit, split=False)
+        return Choice(levels, (None, cut, Subdivision(self._method, limit, split=True)), pieces)
+
+    def _method_of(self, pieces: float, scene: Callable[[], Scene]) -> Method | None:
+        """What cuts a mesh whose edges need at most so many pieces; near straight behind they need more."""
+        if self._few == self._method or pieces > FEW_PIECES or self.least < 1:
+            return self._method
+        from domeshim.shading.geometry import most_pieces  # noqa: PLC0415 - only this method pays
+
+        enough = most_pieces(scene(), "triangles") >= 2 * pieces  # for they are cut finer than they need
+        return self._few if enough else self._method
 
     def _widest(self, scene: Callable[[], Scene]) -> Limit:
         """The limit to edges that the method draws well."""

@@ -9,6 +9,7 @@ import pytest
 from domeshim.draw import subdivide
 from domeshim.draw.upload import Upload
 from domeshim.record.runs import Run
+from domeshim.state import subdividing
 from domeshim.state.context import DomeContext
 from tests.pictures.test_subdivision import from_array, from_buffer, immediately, listed, perspective
 
@@ -48,6 +49,43 @@ def test_only_the_parts_that_need_it_are_subdivided(beside, monkeypatch, way):
     assert None not in patches
     assert (picture != everywhere).any(-1).sum() < 0.001 * SIZE**2
     assert (picture[SIZE // 2 + 20 : SIZE - 20, SIZE // 2] == 255).all()
+
+
+def tower():
+    """(n, 3) corners of the triangles of a wall around the viewer, 24 x 8 quads: an edge needs two pieces."""
+    turn, height = np.meshgrid(np.linspace(0, 2 * np.pi, 25), np.linspace(-1, 1, 9))
+    grid = np.stack([2 * np.cos(turn), height, 2 * np.sin(turn)], -1)
+    a, b, c, d = grid[:-1, :-1], grid[:-1, 1:], grid[1:, 1:], grid[1:, :-1]
+    return np.stack([a, d, b, b, d, c], 2).reshape(-1, 3).astype(np.float32)
+
+
+@pytest.mark.parametrize("way", [immediately, from_buffer])
+def test_few_pieces_are_made_by_what_makes_them_for_less(beside, monkeypatch, way):
+    methods = set()
+    dress = DomeContext.dress
+
+    def spy(context, patch=None, *, raster=False):
+        methods.add(patch and patch.method)
+        dress(context, patch, raster=raster)
+
+    def scene(gl):
+        perspective(gl)
+        way(gl, gl.GL_TRIANGLES, tower())
+
+    def picture(*, by_processor):
+        methods.clear()
+        monkeypatch.setattr(subdividing, "processor_draws", lambda _: by_processor)
+        return beside.through_dome(scene, (SIZE, SIZE), fov=180.0).picture
+
+    monkeypatch.setattr(DomeContext, "dress", spy)
+    by_tessellator = picture(by_processor=False)
+    assert "tessellate" in methods
+    assert "geometry" not in methods
+    by_geometry = picture(by_processor=True)
+    assert "geometry" in methods
+    assert "tessellate" not in methods
+    assert (by_geometry != by_tessellator).any(-1).sum() < 0.001 * SIZE**2
+    assert by_geometry.any(-1).mean() > 0.1
 
 
 def test_a_listed_mesh_is_split_once_for_a_view_that_stands_still(beside, monkeypatch):
