@@ -64,11 +64,23 @@ def extent_of(run: Run) -> Extent | None:
     primitives = [indices for kind, indices in primitives_of(run) if kind != "points"]
     if not primitives or "edge" in run.attributes:
         return None
-    if run.positions.shape[1] == 4:
+    places = _finite_places(run.positions)
+    if places is None:
         return Extent.unknown()
-    longest = max(longest_edge(run.positions, indices) for indices in primitives)
-    shortest = min(shortest_line(run.positions, indices) for indices in primitives)
-    return Extent.of(run.positions, longest, shortest)
+    longest = max(longest_edge(places, indices) for indices in primitives)
+    shortest = min(shortest_line(places, indices) for indices in primitives)
+    return Extent.of(places, longest, shortest)
+
+
+def _finite_places(positions: NDArray[np.float32]) -> NDArray[np.float32] | None:
+    """(n, 3): where (n, 3 or 4) positions are; None where the fourth coordinate puts one anywhere."""
+    if positions.shape[1] == 3:
+        return positions
+    if not (positions[:, 3] > 0).all():
+        return None
+    with np.errstate(over="ignore"):
+        places: NDArray[np.float32] = positions[:, :3] / positions[:, 3:]
+    return places if np.isfinite(places).all() else None
 
 
 def taken(run: Run, indices: Indices) -> Run:

@@ -89,8 +89,15 @@ def evaluated(gl, pieces=5000):
     gl.glEvalMesh1(gl.GL_LINE, 0, pieces)
 
 
+def rational(gl, pieces=5000):
+    gl.glMap1f(gl.GL_MAP1_VERTEX_4, 0, 1, [(-8, 0.02, -2, 2), (4, 0.01, -1, 1)])
+    gl.glEnable(gl.GL_MAP1_VERTEX_4)
+    gl.glMapGrid1f(pieces, 0, 1)
+    gl.glEvalMesh1(gl.GL_LINE, 0, pieces)
+
+
 @pytest.mark.parametrize("in_list", [False, True])
-@pytest.mark.parametrize("curve", [straight_nurbs, evaluated])
+@pytest.mark.parametrize("curve", [straight_nurbs, evaluated, rational])
 def test_curves_that_gl_makes_are_whole(multisampled, curve, in_list):
     def scene(gl):
         perspective(gl)
