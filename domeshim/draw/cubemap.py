@@ -8,6 +8,7 @@ from typing import Literal
 import numpy as np
 
 from domeshim.draw.atlas import Atlas, restored
+from domeshim.draw.attached import OLDEST_GL
 from domeshim.draw.resampling import Resampling
 from domeshim.draw.target import drawing_to
 from domeshim.draw.tiles import Tile, packed
@@ -23,8 +24,6 @@ from domeshim.state.views import View
 from domeshim.window.frame import Frame
 
 _LARGEST_SIZES, _DRAW_FRAMEBUFFER, _DRAWN_BITS = (0x0D33, 0x84E8), 0x8CA9, 0x4500
-_OLDEST = (3, 3)
-"""What moderngl needs."""
 _LEAST_AHEAD, _DECIMALS = 1e-3, 6
 """A place on a pixel's edge, as most that programs ask for are, must not fall to either side at random."""
 
@@ -50,8 +49,8 @@ class CubeCanvas:
 
         Raises DriverError where this GL has no framebuffer for it.
         """
-        if driver.version < _OLDEST:
-            have, want = ((".".join(map(str, version))) for version in (driver.version, _OLDEST))
+        if driver.version < OLDEST_GL:
+            have, want = ((".".join(map(str, version))) for version in (driver.version, OLDEST_GL))
             raise DriverError(f"method cubemap needs OpenGL {want}, and this is {have}; take another method")
         self._driver = driver
         self._square = frame.square

@@ -122,13 +122,6 @@ def makes_color(attribute: str) -> bool:
     return attribute != "fog" and not attribute.startswith("texture")
 
 
-def homogeneous(positions: Floats) -> Floats:
-    """(n, 3 or 4) positions as (n, 4) in float64."""
-    if positions.shape[1] == 3:
-        positions = np.hstack([positions, np.ones((len(positions), 1), np.float32)])
-    return positions.astype(float)
-
-
 def _pieces(run: Run, corners: int, to_eye: Floats, limit: Limit) -> tuple[NDArray[np.intp], Floats, Floats]:
     """Each piece's primitive, (m,), its corners, (m, corners, 4), and where those lie in the primitive.
 

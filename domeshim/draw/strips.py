@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from domeshim.draw.patches import LINE_STRIP, Indices
-from domeshim.draw.split import Floats, Limit, ahead_of_viewer, edges_of, homogeneous, makes_color
+from domeshim.draw.split import Floats, Limit, ahead_of_viewer, edges_of, makes_color
 from domeshim.lens.weights import line_weights
 from domeshim.record.runs import Block, Run
 
@@ -26,7 +26,7 @@ def line_strips(
     strip. to_eye: (4, 4), the run's space to eye space; flat: each line has its second end's colour;
     counting: the result has the attribute "pieces", of each line.
     """
-    positions = homogeneous(run.positions)
+    positions = _homogeneous(run.positions)
     lines = lines[np.isfinite(positions[lines]).all((1, 2))]
     whole = np.broadcast_to(np.eye(2), (len(lines), 2, 2))
     seen, _ = ahead_of_viewer(np.concatenate([positions[lines], whole], -1), np.arange(len(lines)), to_eye)
@@ -57,3 +57,10 @@ def line_strips(
     stops = np.cumsum(counts)[ends].tolist()
     blocks = tuple(Block(LINE_STRIP, a, b) for a, b in zip([0, *stops], stops, strict=False))
     return Run(blended(positions, weights).astype(np.float32), attributes, blocks, constant=run.constant)
+
+
+def _homogeneous(positions: Floats) -> Floats:
+    """(n, 3 or 4) positions as (n, 4) in float64."""
+    if positions.shape[1] == 3:
+        positions = np.hstack([positions, np.ones((len(positions), 1), np.float32)])
+    return positions.astype(float)

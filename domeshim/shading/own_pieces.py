@@ -82,7 +82,7 @@ def _control(handed: Handed, kind: Edged, landing: Landing, judging: Judging) ->
     reach = {"straight": "dome", "turned": "turned", "seated": "all"}[landing.aim]
     names += [f"tessellate/reach_{reach}", f"tessellate/need{'_behind' if judging.near_behind else ''}"]
     names += ["tessellate/pieces", f"tessellate/{shape}_edges", "tessellate/edge_weights", "own/halves"]
-    names.append(f"own/{shape}.tesc")
+    names += [f"tessellate/{shape}_levels", f"own/{shape}.tesc"]
     parts = ["#define DOME_MOST_PIECES 64.0\n", *(snippet(name) for name in names)]
     here, statements = "gl_InvocationID", list[str]()
     for number, block in enumerate(handed.blocks):

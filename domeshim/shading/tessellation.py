@@ -35,6 +35,7 @@ def _control(recipe: Recipe) -> Source:
     draft = Draft()
     add_place(draft, recipe)
     add_edges(draft, recipe)
+    draft.need(f"tessellate/{shape(recipe)}_levels")
     draft.need(f"tessellate/{shape(recipe)}.tesc")
     for varying in ("gl_Position", *varyings(recipe)):
         draft.add(f"gl_out[gl_InvocationID].{varying} = gl_in[gl_InvocationID].{varying};")

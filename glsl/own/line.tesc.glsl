@@ -1,8 +1,6 @@
 // A part of a program's own line, by the bits of the patch's number: which half each time.
 layout(vertices = 2) out;
 patch out vec2 domeShares[2]; // where the part's ends lie in the whole
-patch out float domeAngle;
-patch out vec2 domeDistances;
 
 vec4 cornerOf(vec2 share) {
     precise vec4 corner = share.x * gl_in[0].gl_Position + share.y * gl_in[1].gl_Position;
@@ -30,8 +28,5 @@ void subdivide() {
     Edges line = edgesOf(cornerOf(a), cornerOf(b));
     if (way != 0)
         line.pieces = 0.0; // another of its copies is this part
-    domeAngle = line.angle;
-    domeDistances = line.distances;
-    gl_TessLevelOuter[0] = line.pieces > 0.0 ? 1.0 : 0.0;
-    gl_TessLevelOuter[1] = line.pieces;
+    setLevels(line);
 }

@@ -1,8 +1,6 @@
 // A part of a program's own triangle, by the bits of the patch's number: which half of its widest edge each time.
 layout(vertices = 3) out;
 patch out vec3 domeShares[3]; // where the part's corners lie in the whole
-patch out vec3 domeAngles;
-patch out vec3 domeDistances;
 
 vec4 cornerOf(vec3 share) {
     precise vec4 corner =
@@ -42,10 +40,5 @@ void subdivide() {
     Edges triangle = edgesOf(cornerOf(a), cornerOf(b), cornerOf(c));
     if (way != 0)
         triangle.pieces = vec3(0.0); // another of its copies is this part
-    domeAngles = triangle.angles;
-    domeDistances = triangle.distances;
-    gl_TessLevelOuter[0] = triangle.pieces.x;
-    gl_TessLevelOuter[1] = triangle.pieces.y;
-    gl_TessLevelOuter[2] = triangle.pieces.z;
-    gl_TessLevelInner[0] = ceil(1.2 * max(max(triangle.pieces.x, triangle.pieces.y), triangle.pieces.z));
+    setLevels(triangle);
 }
