@@ -225,6 +225,39 @@ def test_edges_are_smoothed_in_windows_where_a_gpu_draws_or_the_program_asks(tmp
     assert smoothed == (asked or not by_processor)
 
 
+QT_SAMPLES = """
+import sys
+from PySide6.QtCore import QTimer
+from PySide6.QtGui import QSurfaceFormat
+from PySide6.QtWidgets import QApplication
+from PySide6.QtOpenGLWidgets import QOpenGLWidget
+from OpenGL.GL import *
+class Empty(QOpenGLWidget):
+    def paintGL(self):
+        glClear(GL_COLOR_BUFFER_BIT)
+        print(glGetInteger(GL_SAMPLES) > 1)
+        QTimer.singleShot(0, lambda: app.exit(0))
+asked = QSurfaceFormat()
+asked.setSamples({})
+QSurfaceFormat.setDefaultFormat(asked)
+app = QApplication(sys.argv)
+empty = Empty()
+empty.show()
+sys.exit(app.exec())
+"""
+
+
+@needs_qt
+@needs_xvfb
+@pytest.mark.parametrize("asked", [-1, 4])
+def test_edges_are_smoothed_in_qts_windows_as_the_program_asks(tmp_path, asked):
+    runs.write(tmp_path, QT_SAMPLES.format(asked))
+    done = run_on_display(
+        [sys.executable, "-m", "domeshim", "run", "prog.py"], runs.environment(), folder=tmp_path
+    )
+    assert (done.returncode, done.stdout.split()[0]) == (0, str(asked > 1)), done.stderr
+
+
 def test_a_window_of_an_unknown_toolkit_is_told_of_once(tmp_path):
     stranger = """
 from domeshim.window.contract import SurfaceFormat, WindowEvents
