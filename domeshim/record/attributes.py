@@ -12,7 +12,8 @@ _NAME = re.compile(
 )
 
 _NORMALISED = {"Color", "SecondaryColor", "Normal"}
-_FIXED_COUNT = {"Normal": 3, "FogCoord": 1, "EdgeFlag": 1}
+_FIXED_COUNT = {"Normal": 3, "TexCoord": 2, "FogCoord": 1, "EdgeFlag": 1}
+"""Where the name says no number; PyOpenGL's glTexCoord is glTexCoord2d."""
 
 MATERIAL_PARTS: dict[str, int] = {
     "emission": 0x1600,
@@ -45,8 +46,10 @@ class Setter:
     attribute: str
     """A key of DEFAULTS; "vertex"; or "texture" where the first argument names the unit."""
     count: int | None
-    """How many values; None: as many as are given (glVertex, glColor, glTexCoord)."""
+    """How many values; None: as many as are given (glVertex, glColor)."""
     vector: bool
+    kind: str
+    """GL's type, by the name's ending: f, ub; empty where the name has none."""
     scale: float
     offset: float
     bytes_as: tuple[float, ...] = ()
@@ -71,6 +74,7 @@ def setter(name: str) -> Setter | None:
         attribute.get(what, "edge" if what == "EdgeFlag" else what.lower()),
         count,
         match["vector"] == "v",
+        kind,
         scale,
         offset,
         _bytes(kind, scale, offset) if what in _NORMALISED and kind in ("b", "ub") else (),

@@ -5,13 +5,13 @@ PyOpenGL passes over arguments too many (glColor3f with an alpha), so they do.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
-
-import numpy as np
 
 from domeshim.record.attributes import DEFAULTS, Setter
 from domeshim.record.immediate import FREQUENT, Immediate
+from domeshim.record.vectors import PLAIN, size_of_vector, vector_reader
 
 Call = Callable[..., None]
 
@@ -108,7 +108,7 @@ def _unit_texture(recorder: Immediate, setter: Setter) -> Call:
         if unit not in units:
             if not 0 <= unit < _UNITS:
                 return  # GL has no coordinates for it
-            of_unit = Setter(f"texture{unit}", setter.count, setter.vector, 1.0, 0.0)
+            of_unit = replace(setter, attribute=f"texture{unit}")
             units[unit] = _attribute(recorder, of_unit)
         units[unit](*values)
 
@@ -118,50 +118,49 @@ def _unit_texture(recorder: Immediate, setter: Setter) -> Call:
 def _by_arguments(setter: Setter, by_count: dict[int, Call]) -> Call:
     """The function for a name's number of values, given one by one or as a vector."""
     if setter.count is None:
-
-        def any_count(*values: Any) -> None:
-            if len(values) == 1:
-                values = values[0]
-                if len(values) == 1:
-                    values = np.ravel(values).tolist()
-            by_count[min(len(values), 4)](*values)
-
-        return any_count
+        return _any_count(setter, by_count)
     call, count = by_count[setter.count], setter.count
     if not setter.vector:
         return call
+    read = vector_reader(setter.kind, count)
 
     def vector1(v: Any, *_more: object) -> None:
-        call(v[0] if isinstance(v, Sequence) or hasattr(v, "__getitem__") else v)
+        call(*read(v))
+
+    # In each, a row that does not fit is PyOpenGL's to judge.
 
     def vector2(v: Any, *_more: object) -> None:
         try:
-            call(v[0], v[1])
-        except (IndexError, TypeError):
-            call(*_numbers(setter, v))
+            x, y = v if type(v) in PLAIN else read(v)
+        except ValueError:
+            x, y = read(v)
+        call(x, y)
 
     def vector3(v: Any, *_more: object) -> None:
         try:
-            call(v[0], v[1], v[2])
-        except (IndexError, TypeError):
-            call(*_numbers(setter, v))
+            x, y, z = v if type(v) in PLAIN else read(v)
+        except ValueError:
+            x, y, z = read(v)
+        call(x, y, z)
 
     def vector4(v: Any, *_more: object) -> None:
         try:
-            call(v[0], v[1], v[2], v[3])
-        except (IndexError, TypeError):
-            call(*_numbers(setter, v))
+            x, y, z, w = v if type(v) in PLAIN else read(v)
+        except ValueError:
+            x, y, z, w = read(v)
+        call(x, y, z, w)
 
     return (vector1, vector2, vector3, vector4)[count - 1]
 
 
-def _numbers(setter: Setter, vector: Any) -> list[Any]:
-    """The numbers of a vector that is a matrix of one row, or an array of floats where bytes are wanted."""
-    len(vector)  # a pointer has none, and no end
-    found = np.ravel(vector)
-    if setter.bytes_as and isinstance(vector, np.ndarray):
-        found = found.astype(np.int64)
-    numbers: list[Any] = found.tolist()
-    if len(numbers) != setter.count:
-        raise ValueError(f"{setter.count} numbers are wanted, not {vector!r}")
-    return numbers
+def _any_count(setter: Setter, by_count: dict[int, Call]) -> Call:
+    """The function of a name that says no number: glVertex and glColor."""
+    readers = {count: vector_reader("f", count) for count in (3, 4)}
+
+    def any_count(*values: Any) -> None:
+        given: Any = values[0] if len(values) == 1 else values
+        if setter.attribute == "color" and not (type(given) in PLAIN and len(given) in readers):
+            given = readers[size_of_vector(given)](given)
+        by_count[len(given)](*given)
+
+    return any_count

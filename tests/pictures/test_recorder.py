@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import struct
 from typing import Any
 
 import numpy as np
@@ -457,8 +458,9 @@ def test_a_programs_mistakes_are_raised(beside: Beside, wrong: Any) -> None:
         lambda gl: gl.glColor(np.array([[0.2], [0.5], [1]])),
         lambda gl: gl.glColor3ubv(np.array([200.7, 100, 255])),
         lambda gl: gl.glColor3fv((0.2, 0.5, 1), 1),
+        lambda gl: gl.glColor(struct.pack("3f", 0.2, 0.5, 1)),
     ],
-    ids=range(13),
+    ids=range(14),
 )
 def test_arguments_are_taken_as_pyopengl_takes_them(beside: Beside, call: Any) -> None:
     """Arguments too many are passed over, bytes wrap, and a matrix of one row or one column is a vector."""
@@ -487,7 +489,7 @@ def test_a_vector_of_the_wrong_length_is_refused(beside: Beside) -> None:
     def scene(gl: GL) -> str:
         looking(gl, depth=False)
         gl.glRectf(-0.5, -0.5, 0.5, 0.5)
-        with pytest.raises(ValueError, match=r"Expected 12 byte|3 numbers are wanted"):
+        with pytest.raises(ValueError, match="Expected 12 byte"):
             gl.glVertex3fv((1, 2))
         return ""
 
