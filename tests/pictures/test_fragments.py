@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tests.pictures.beside import GL, Beside, checks, looking, sphere
+from tests.pictures.beside import GL, SIZE, Beside, checks, flat, looking, sphere
 
 
 def polygon_lines(gl: GL) -> None:
@@ -255,3 +255,25 @@ SCENES = (
 @pytest.mark.parametrize("scene", SCENES, ids=lambda scene: scene.__name__)
 def test_fragments_fare_as_on_the_monitor(beside: Beside, scene: object) -> None:
     beside.equal(scene, wrong=0.01 if scene is line_widths_and_stipples else 0.004)
+
+
+@pytest.mark.parametrize("panel", [50, 110])
+def test_lines_and_points_of_the_panel_keep_their_width(beside: Beside, panel: int) -> None:
+    def scene(gl: GL) -> None:
+        gl.glClear(gl.GL_COLOR_BUFFER_BIT)
+        flat(gl)
+        gl.glPointSize(12)
+        gl.glLineWidth(8)
+        gl.glColor3f(1, 0, 0)
+        gl.glBegin(gl.GL_POINTS)
+        gl.glVertex2f(SIZE / 2, SIZE / 2)
+        gl.glEnd()
+        gl.glColor3f(0, 1, 0)
+        gl.glBegin(gl.GL_LINES)
+        gl.glVertex2f(20, 180)
+        gl.glVertex2f(SIZE - 20, 180)
+        gl.glEnd()
+
+    seen = beside.through_dome(scene, fov=180.0, panel=panel).picture > 128
+    assert (seen[..., 0].sum(), seen[:, SIZE // 2, 1].sum()) == (12 * 12, 8)
+    assert seen[..., 1].any(0).sum() < 0.75 * (SIZE - 40)  # shown smaller
