@@ -10,19 +10,9 @@ from ctypes import c_char_p, c_int, c_uint, create_string_buffer
 from dataclasses import dataclass
 
 from domeshim.driver import Driver
-from domeshim.shading.own import (
-    RIM_DISTANCE,
-    Landing,
-    Rewritten,
-    Stage,
-    asks_place,
-    has_main,
-    leaves_fixed_place,
-    placed,
-    rewritten,
-    uses_projection,
-)
+from domeshim.shading.own import RIM_DISTANCE, Landing, Rewritten, Stage, placed, rewritten
 from domeshim.shading.own_subdivided import Subdivided
+from domeshim.shading.own_text import asks_place, has_main, leaves_fixed_place, uses_projection
 from domeshim.shading.program import Uniforms
 from domeshim.state.perspective import Matrix
 

@@ -13,7 +13,8 @@ from typing import NamedTuple
 
 from domeshim.draw.patches import Edged
 from domeshim.errors import ShaderError
-from domeshim.shading.own import Landing, Versioned, bare, landing_text, opened, planes_of
+from domeshim.shading.own import Landing, landing_text, planes_of
+from domeshim.shading.own_text import Versioned, bare, opened
 from domeshim.shading.snippets import snippet
 from domeshim.shading.varyings import Block, Handed, Member, handed_on
 

@@ -16,8 +16,9 @@ from domeshim.draw.patches import Edged
 from domeshim.driver import Driver
 from domeshim.errors import ShaderError
 from domeshim.shading.handover import Handover
-from domeshim.shading.own import Landing, bare
+from domeshim.shading.own import Landing
 from domeshim.shading.own_pieces import Judging, handing_on, subdivided
+from domeshim.shading.own_text import bare
 from domeshim.shading.program import Uniforms, compiled_as_given
 
 _VERTEX, _FRAGMENT, _CONTROL, _EVALUATION = 0x8B31, 0x8B30, 0x8E88, 0x8E87

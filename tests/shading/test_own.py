@@ -8,7 +8,8 @@ from dataclasses import replace
 import pytest
 
 from domeshim.shading import exchange
-from domeshim.shading.own import Landing, has_main, leaves_fixed_place, rewritten, uses_projection
+from domeshim.shading.own import Landing, rewritten
+from domeshim.shading.own_text import has_main, leaves_fixed_place, uses_projection
 from tests.shading.test_compose import LENSES
 
 PLAIN = "void main() { gl_Position = ftransform(); }"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from domeshim.errors import ShaderError
-from domeshim.shading.own import bare
+from domeshim.shading.own_text import bare
 from domeshim.shading.varyings import Handed, handed_on
 
 
