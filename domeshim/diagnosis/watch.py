@@ -1,44 +1,39 @@
-"""GL, looked on as the dome calls it: which program draws how much, and what making it cost."""
+"""GL, looked on as the dome calls it: which program draws how much."""
 
 from __future__ import annotations
 
 from collections import Counter, defaultdict
 from collections.abc import Callable
 from contextlib import contextmanager
-from ctypes import c_int, c_uint, c_void_p, cast
+from ctypes import c_uint, c_void_p, cast
 from functools import wraps
 from typing import TYPE_CHECKING, Any
 
-from domeshim.diagnosis.tally import PATCHES, Made, Tally, count_of, strips_of, tally_of
+from domeshim.diagnosis.making import WatchedMaking
+from domeshim.diagnosis.tally import PATCHES, Tally, count_of, strips_of, tally_of
 from domeshim.draw import own_patches, subdivide
-from domeshim.driver import Driver, callable_from_c
+from domeshim.driver import callable_from_c
 from domeshim.shading.recipe import Patch
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
 _PATCH_VERTICES, _PRIMITIVES_GENERATED, _QUERY_RESULT = 0x8E72, 0x8C87, 0x8866
-_CURRENT_PROGRAM, _SOURCE_LENGTH, _MOST_SHADERS = 0x8B8D, 0x8B88, 16
-_COMPILE_AND_EXECUTE = 0x1301
+_CURRENT_PROGRAM, _COMPILE_AND_EXECUTE = 0x8B8D, 0x1301
 _BY_LIBRARIES = ("glCompileShader", "glLinkProgram", "glDrawArraysInstanced", "glDrawElementsInstanced")
 """What moderngl calls to make programs and to draw by them."""
 _MESHES = ("glEvalMesh1", "glEvalMesh2")
 _PROGRAM_DRAWS = ("glDrawArrays", "glDrawElements", "glDrawRangeElements", "glMultiDrawArrays")
 
 
-class WatchedDriver(Driver):
+class WatchedDriver(WatchedMaking):
     """GL's entry points, counted on the way."""
 
     def __init__(self, seconds: Callable[[], float]) -> None:
         """seconds: the real time, which the program's may not be."""
-        self._gl = Driver()
-        self._seconds = seconds
+        super().__init__(seconds)
         self.tallies: defaultdict[int, Tally] = defaultdict(Tally)
         """By the name of the program that was bound; 0 where none of the dome's was."""
-        self.made: defaultdict[int, Made] = defaultdict(Made)
-        """By the program's name."""
-        self._compiling: defaultdict[int, float] = defaultdict(float)
-        """Seconds, by the shader's name."""
         self._block = 0, 0
         """The mode of glBegin, and the vertices since."""
         self._listing: Tally | None = None
@@ -130,47 +125,17 @@ class WatchedDriver(Driver):
 
         return call
 
-    # Programs.
-
-    @property
-    def _bound(self) -> int:
-        """The program that draws now, the dome's or the program's own; 0: GL's fixed stages."""
-        return self._gl.integer(_CURRENT_PROGRAM)
-
-    def glCompileShader(self, shader: int) -> None:
-        """Note how long it took."""
-        began = self._seconds()
-        self._gl.glCompileShader(shader)
-        self._compiling[int(shader)] = self._seconds() - began
-
-    def glLinkProgram(self, program: int) -> None:
-        """Note how long it took, with the time of its shaders."""
-        began = self._seconds()
-        self._gl.glLinkProgram(program)
-        seconds, shaders = self._seconds() - began, self._attached(program)
-        self.made[int(program)] = Made(
-            len(shaders),
-            sum(self._length(shader) for shader in shaders),
-            seconds + sum(self._compiling[shader] for shader in shaders),
-        )
-
-    def _attached(self, program: int) -> list[int]:
-        count, names = c_int(), (c_uint * _MOST_SHADERS)()
-        self._gl.glGetAttachedShaders(program, _MOST_SHADERS, count, names)
-        return list(names[: count.value])
-
-    def _length(self, shader: int) -> int:
-        """Of a shader's text, without GL's zero behind it."""
-        length = c_int()
-        self._gl.glGetShaderiv(shader, _SOURCE_LENGTH, length)
-        return max(length.value - 1, 0)
-
     def glBlitFramebuffer(self, *args: Any) -> None:
         """Count it."""
         self.blits[self.doing] += 1
         self._gl.glBlitFramebuffer(*args)
 
     # Draws.
+
+    @property
+    def _bound(self) -> int:
+        """The program that draws now, the dome's or the program's own; 0: GL's fixed stages."""
+        return self._gl.integer(_CURRENT_PROGRAM)
 
     def glDrawArrays(self, mode: int, first: int, count: int) -> None:
         """Count it."""
