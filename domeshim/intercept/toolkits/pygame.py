@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
-from domeshim.intercept.toolkits.timers import VirtualTimers
+from domeshim.intercept.toolkits.pygame_time import PygameTimers
 from domeshim.intercept.toolkits.windows import ToolkitHost, ToolkitWindow
 from domeshim.window.contract import SurfaceFormat, Window, WindowEvents
 from domeshim.window.dome_keys import DOME_KEYS
@@ -50,9 +50,7 @@ class PygameToolkit(ToolkitHost):
         self._display: Mapping[str, Any] = {}
         self._event: Mapping[str, Any] = {}
         self._mouse: Mapping[str, Any] = {}
-        self._timers = VirtualTimers(session.clock)
-        self._timer_of: dict[Any, int] = {}
-        self._last_frame = 0
+        self._timers = PygameTimers(session, self._event_waits)
 
     def replacements(self, name: str, module: ModuleType) -> dict[str, Any]:
         """Our names for pygame.display, pygame.event, pygame.mouse or pygame.time."""
@@ -68,13 +66,13 @@ class PygameToolkit(ToolkitHost):
                 "gl_set_attribute": self.gl_set_attribute,
             } | (given if self.gives_windows else {})
         if part == "event":
-            self._event = originals
+            self._event = self._timers.event = originals
             ours = {name: self._pumping(originals[name]) for name in ("get", "poll", "pump")}
             return ours | {"wait": self.wait}
         if part == "mouse":
             self._mouse = originals
             return {"get_pos": self.get_pos, "set_pos": self.set_pos}
-        return {"set_timer": self.set_timer} if self.session.clock.virtual else {}
+        return {"set_timer": self._timers.set} if self.session.clock.virtual else {}
 
     # pygame.display.
 
@@ -202,13 +200,13 @@ class PygameToolkit(ToolkitHost):
             self._told_size = size
             self.session.window_resized(window, size)
 
-    # pygame.event and pygame.time.
+    # pygame.event.
 
     def _pumping(self, original: Callable[..., Any]) -> Callable[..., Any]:
         """The call, in which SDL hears of the window's new size."""
 
         def call(*args: Any, **named: Any) -> Any:
-            self._turn_timers()
+            self._timers.turn()
             result = original(*args, **named)
             self._look_at_size()
             if isinstance(result, list):
@@ -223,7 +221,7 @@ class PygameToolkit(ToolkitHost):
             event = self._event["wait"](*args, **named)
             self._look_at_size()
             return event if self._passes(event) else self._event["Event"](_NO_EVENT)
-        self._turn_timers()
+        self._timers.turn()
         if not self._event_waits():
             self._post("VIDEOEXPOSE")
         event = self._event["poll"]()
@@ -271,32 +269,6 @@ class PygameToolkit(ToolkitHost):
             x, y = self.window_place(self._window, x + 0.5, y + 0.5)
             x, y = max(0, min(math.floor(x), width - 1)), max(0, min(math.floor(y), height - 1))
         self._mouse["set_pos"](x, y)
-
-    # pygame.time.
-
-    def set_timer(self, event: Any, millis: int, loops: int = 0) -> None:
-        """Post the event every so many milliseconds of the session's clock; 0 stops that."""
-        kind = event if isinstance(event, int) else event.type
-        if kind in self._timer_of:
-            self._timers.stop(self._timer_of.pop(kind))
-        left = [loops]
-
-        def post() -> None:
-            self._event["post"](self._event["Event"](kind) if isinstance(event, int) else event)
-            left[0] -= 1
-            if left[0] == 0:
-                self._timers.stop(self._timer_of.pop(kind))
-
-        if millis > 0:
-            self._timer_of[kind] = self._timers.start(millis / 1000.0, post)
-
-    def _turn_timers(self) -> None:
-        """Post what is due; where neither an event nor a picture came, let time go on to the next timer."""
-        frames = self.session.frames
-        idle = not self._timers.fire() and frames == self._last_frame and not self._event_waits()
-        if idle and self._timers.go_to_next():
-            self._timers.fire()
-        self._last_frame = frames
 
     def _post(self, name: str, **attributes: Any) -> None:
         import pygame  # noqa: PLC0415 - it is the program's, and there
