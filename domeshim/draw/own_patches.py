@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 
 from domeshim.draw.patches import POINTS, POLYGON, Indices, Kind
 from domeshim.draw.primitives import primitives_in
-from domeshim.draw.subdivide import shown_polygon_mode, stippled
+from domeshim.draw.subdivide import loses_smooth_lines, shown_polygon_mode, stippled
+from domeshim.driver import Driver
 from domeshim.record.runs import Block
 from domeshim.shading.recipe import Patch
 
@@ -24,6 +25,10 @@ if TYPE_CHECKING:
     from domeshim.shading.program import Uniforms
     from domeshim.state.context import DomeContext
 
+_LINE_SMOOTH = 0x0B20
+_NOT_SMOOTHED = (
+    "this driver cannot smooth long lines of the program's own GLSL: they are drawn without GL_LINE_SMOOTH"
+)
 _MOST = 4096
 """A draw of more primitives stays as it is: a mesh so dense seldom has a long edge."""
 
@@ -82,7 +87,17 @@ def draw_parts(context: DomeContext, parts: Parts, by_number: ByNumber) -> None:
         assert program is not None
         halvings = min(parts.halvings, (_MOST // len(indices)).bit_length() - 1)
         copies = np.repeat(numbers, 1 << halvings, axis=0).ravel()
-        context.draw(partial(draw_copies, patch, program, halvings, by_number, copies), patch)
+        drawn = partial(draw_copies, patch, program, halvings, by_number, copies)
+        if kind == "lines" and loses_smooth_lines(context):
+            context.say_once(_NOT_SMOOTHED)
+            drawn = partial(_unsmoothed, context.driver, drawn)
+        context.draw(drawn, patch)
+
+
+def _unsmoothed(gl: Driver, draw: Callable[[], object]) -> None:
+    gl.glDisable(_LINE_SMOOTH)
+    draw()
+    gl.glEnable(_LINE_SMOOTH)
 
 
 def draw_copies(

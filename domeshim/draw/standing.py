@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from domeshim.draw.order import order_shows
 from domeshim.draw.patches import Indices
 from domeshim.draw.primitives import Primitives, extent_of, many_primitives
-from domeshim.draw.subdivide import Making, filled, manner, stippled, subdivide
+from domeshim.draw.subdivide import Making, filled, in_strips, manner, subdivide
 
 if TYPE_CHECKING:
     from domeshim.draw.extent import Extent
@@ -59,7 +59,7 @@ class Standing:
             return False
         context = self._context
         alike = self._primitives is None and not subdivision.split
-        if alike and filled(context) and not stippled(context):
+        if alike and filled(context) and not in_strips(context):
             manner_of = (subdivision.method, subdivision.lengthened)
             if manner_of not in self._patches:
                 self._patches[manner_of] = self._keep(subdivision)

@@ -1,4 +1,4 @@
-"""Lines cut on the CPU, evenly in angle, into strips: for GL without the shaders, and for stippled lines.
+"""Lines cut on the CPU, evenly in angle, into strips: for GL without the shaders, and lines that these spoil.
 
 GL counts a stipple pattern along a strip and begins it anew with the next, so that the pieces of one line,
 and lines that the program joined, must be one strip.

@@ -16,12 +16,14 @@ from domeshim.draw.strips import line_strips
 from domeshim.record.runs import Block, Run
 from domeshim.shading.recipe import Patch, PatchMethod
 from domeshim.state.subdivision import FEW_PIECES
+from domeshim.window.contract import processor_draws
 
 if TYPE_CHECKING:
     from domeshim.state.context import DomeContext
     from domeshim.state.subdivision import Choice, Subdivision
 
-_LINE_STIPPLE, _SHADE_MODEL, _FLAT = 0x0B24, 0x0B54, 0x1D00
+_LINE_STIPPLE, _LINE_SMOOTH, _SHADE_MODEL, _FLAT = 0x0B24, 0x0B20, 0x0B54, 0x1D00
+_RENDERER, _MULTISAMPLE, _SAMPLES = 0x1F01, 0x809D, 0x80A9
 _POLYGON_MODE, _CULL_FACE = 0x0B40, 0x0B44
 
 Making = Callable[[Callable[[], object]], object]
@@ -77,7 +79,7 @@ def subdivide(
     for kind, indices in primitives_of(run, polygon_mode):
         if kind == "points":
             drawer.draw_all(POINTS, taken(run, indices), context.draw)
-        elif kind == "lines" and (subdivision.method == "cpu" or stippled(context)):
+        elif kind == "lines" and (subdivision.method == "cpu" or in_strips(context)):
             draw_strips(run, indices, context, drawer)
         elif subdivision.method is None and kind == "triangles":
             drawer.draw_all(TRIANGLES, taken(run, indices), context.draw)
@@ -92,8 +94,8 @@ def subdivide(
 
 
 def _chosen_from(primitives: Primitives, polygon_mode: int, context: DomeContext) -> bool:
-    """Each primitive may be drawn in its own way; a line's pattern goes on with the next."""
-    return not stippled(context) if primitives.kind == "lines" else polygon_mode == FILL
+    """Each primitive may be drawn in its own way."""
+    return not in_strips(context) if primitives.kind == "lines" else polygon_mode == FILL
 
 
 def _draw_chosen(
@@ -145,7 +147,7 @@ def shader_subdivides(kinds: Collection[Kind], context: DomeContext, subdivision
     """Primitives of these kinds go to a shader as they are, none split nor cut on the CPU."""
     if subdivision.split or subdivision.method in (None, "cpu"):
         return False
-    return ("lines" not in kinds or not stippled(context)) and ("triangles" not in kinds or filled(context))
+    return ("lines" not in kinds or not in_strips(context)) and ("triangles" not in kinds or filled(context))
 
 
 def draw_cut(piece: Run, context: DomeContext, drawer: Drawer) -> None:
@@ -184,12 +186,28 @@ def _drawing_cut(kind: Edged, context: DomeContext) -> Making:
 
 def manner(context: DomeContext) -> tuple[object, ...]:
     """All that decides into which pieces a run is cut, beside the view."""
-    return shown_polygon_mode(context), stippled(context), is_flat(context)
+    return shown_polygon_mode(context), in_strips(context), is_flat(context)
+
+
+def in_strips(context: DomeContext) -> bool:
+    """Lines that need pieces are cut on the CPU now: their pattern goes on, or shaders' pieces get lost."""
+    return stippled(context) or loses_smooth_lines(context)
 
 
 def stippled(context: DomeContext) -> bool:
     """Lines are drawn in a pattern now."""
     return bool(context.driver.glIsEnabled(_LINE_STIPPLE))
+
+
+def loses_smooth_lines(context: DomeContext) -> bool:
+    """Lines are smoothed now by a driver that misplaces those which shaders subdivide.
+
+    Mesa's llvmpipe does where the picture has no samples (22.3).
+    """
+    gl = context.driver
+    if not gl.glIsEnabled(_LINE_SMOOTH) or not processor_draws(gl.glGetString(_RENDERER)):
+        return False
+    return not (gl.integer(_SAMPLES) and gl.glIsEnabled(_MULTISAMPLE))
 
 
 def is_flat(context: DomeContext) -> bool:
