@@ -17,7 +17,7 @@ from domeshim.errors import DriverError
 
 OLDEST_GL = (2, 1)
 """From here on the dome has the GLSL that it needs, 1.20."""
-_VERSION, _EXTENSIONS, _MAX_CLIP_PLANES, _RECTANGLE = 0x1F02, 0x1F03, 0x0D32, 0x84F5
+_RENDERER, _VERSION, _EXTENSIONS, _MAX_CLIP_PLANES, _RECTANGLE = 0x1F01, 0x1F02, 0x1F03, 0x0D32, 0x84F5
 _INT, _UINT, _ENUM, _FLOAT, _POINTER = c_int, c_uint, c_uint, c_float, c_void_p
 
 _SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
@@ -214,6 +214,11 @@ class Driver:
         except DriverError:
             return False
         return True
+
+    @property
+    def renderer(self) -> bytes:
+        """What draws, by the driver's own name for it."""
+        return bytes(self.glGetString(_RENDERER) or b"")
 
     @property
     def version(self) -> tuple[int, int]:

@@ -27,7 +27,7 @@ METHODS = ("auto", "paper", "vertex", "tessellate", "geometry", "cpu")
 SUBDIVIDING = tuple(name for name in METHODS if name not in ("paper", "vertex"))
 
 _WINDOW = (64, 64)
-_MODELVIEW, _PROJECTION, _RENDERER = 0x1700, 0x1701, 0x1F01
+_MODELVIEW, _PROJECTION = 0x1700, 0x1701
 _AT = 0.5
 """All is measured at this tolerance, in frames scaled accordingly: only their ratio decides what is drawn."""
 
@@ -89,7 +89,7 @@ class Bench:
     @property
     def renderer(self) -> str:
         """What GL draws with."""
-        return str(self._driver.glGetString(_RENDERER).decode())
+        return self._driver.renderer.decode()
 
     def deviations(
         self, case: Extreme, method: str, ratios: Sequence[float]

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from domeshim.state.context import DomeContext
 
 _MODELVIEW_MATRIX, _PROJECTION_MATRIX = 0x0BA6, 0x0BA7
-_RENDERER, _SAMPLES = 0x1F01, 0x80A9
+_SAMPLES = 0x80A9
 _TRANSFORM_FEEDBACK_ACTIVE = 0x8E24
 _ROOM_BEHIND = 0.24
 """Closer to straight behind, radians, edges would have to be halved more often than a shader does."""
@@ -92,7 +92,7 @@ class Subdividing:
         """Mesa's CPU driver leaves out a multisampled line that no border between two pixels crosses."""
         gl = self._context.driver
         makes_lines = self.method in ("tessellate", "geometry") and gl.version >= (3, 2)
-        return makes_lines and b"llvmpipe" in gl.glGetString(_RENDERER) and gl.integer(_SAMPLES) > 1
+        return makes_lines and b"llvmpipe" in gl.renderer and gl.integer(_SAMPLES) > 1
 
     def _needed(self, extent: Extent, to_eye: Sequence[float]) -> Subdivision | None:
         tolerance, own = self.tolerance, self._context.own.current
@@ -158,7 +158,7 @@ class Subdividing:
     @cached_property
     def _method_of_few(self) -> Method | None:
         """What makes few pieces of edges for less: geometry shaders where the processor draws, by a third."""
-        by_processor = processor_draws(self._context.driver.glGetString(_RENDERER))
+        by_processor = processor_draws(self._context.driver.renderer)
         return "geometry" if by_processor and self.method == "tessellate" else None
 
     @property

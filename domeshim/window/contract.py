@@ -30,13 +30,12 @@ _PROCESSOR = (b"llvmpipe", b"softpipe", b"swrast", b"software")
 """In the names of renderers that draw without a GPU."""
 
 
-def processor_draws(renderer: bytes | None) -> bool:
+def processor_draws(renderer: bytes) -> bool:
     """There is no GPU behind the driver that gives itself this name by GL_RENDERER."""
-    name = (renderer or b"").lower()
-    return any(processor in name for processor in _PROCESSOR)
+    return any(processor in renderer.lower() for processor in _PROCESSOR)
 
 
-def suiting_samples(renderer: bytes | None) -> int:
+def suiting_samples(renderer: bytes) -> int:
     """As many samples as suit the dome on the driver that gives itself this name by GL_RENDERER.
 
     0 where the processor draws, for there they cost a simple picture ten times its time.

@@ -10,9 +10,9 @@ from dataclasses import replace
 from typing import Any
 
 import glfw
-from OpenGL import GL
 from OpenGL.platform import PLATFORM
 
+from domeshim.driver import Driver
 from domeshim.window.contract import SurfaceFormat, suiting_samples
 
 _ACCUMULATION = (glfw.ACCUM_RED_BITS, glfw.ACCUM_GREEN_BITS, glfw.ACCUM_BLUE_BITS, glfw.ACCUM_ALPHA_BITS)
@@ -66,7 +66,7 @@ def create(
 def dome_samples(handle: Any) -> int:
     """As many samples as suit the dome on this window's driver."""
     glfw.make_context_current(handle)
-    return suiting_samples(GL.glGetString(GL.GL_RENDERER))
+    return suiting_samples(Driver().renderer)
 
 
 @contextmanager

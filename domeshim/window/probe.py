@@ -7,15 +7,13 @@ from domeshim.errors import ScreenError
 from domeshim.window.contract import DOME_SAMPLES, SurfaceFormat, WindowEvents, suiting_samples
 from domeshim.window.screen import ScreenBackend
 
-_RENDERER = 0x1F01
-
 
 def probed_samples() -> int:
     """As many samples a pixel as suit the dome; no window of GL's may be current, or be glfw's."""
     backend = ScreenBackend()
     try:
         backend.open_window("", (1, 1), None, SurfaceFormat(), WindowEvents(), shown=False)
-        return suiting_samples(Driver().glGetString(_RENDERER))
+        return suiting_samples(Driver().renderer)
     except ScreenError:
         return DOME_SAMPLES  # the toolkit may know a way to a window
     finally:

@@ -8,8 +8,6 @@ from typing import Any
 from domeshim.driver import Driver
 from domeshim.window.contract import SurfaceFormat, suiting_samples
 
-_RENDERER = 0x1F01
-
 
 class Hints:
     """The hints of one process; glfw cannot be asked for them."""
@@ -79,7 +77,7 @@ class Hints:
         current = glfw.get_current_context()
         glfw.make_context_current(handle)
         try:
-            return suiting_samples(Driver().glGetString(_RENDERER)) > 0
+            return suiting_samples(Driver().renderer) > 0
         finally:
             glfw.make_context_current(current or None)
 
