@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from ctypes.util import find_library
 from pathlib import Path
 
 import pytest
@@ -10,10 +11,13 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks"))
 
 import report
+import shim_cost
 
 from domeshim.bench.edge_error import EdgeError
 from domeshim.bench.results import Cost, Results, Row
+from tests.displays import needs_xvfb
 
+needs_freeglut = pytest.mark.skipif(find_library("glut") is None, reason="freeglut is not installed")
 SOON = {"stock, not installed": (0.5, 0.2), "DOME=1": (0.9, 0.6)}
 
 
@@ -57,3 +61,22 @@ def test_the_page_has_everything():
         assert words in text
     assert "- VTK was not measured" in text
     assert "(report/bench.png)" in text
+
+
+@needs_xvfb
+@needs_freeglut
+def test_what_is_measured_is_written(tmp_path, monkeypatch):
+    run = ("--size=64", "--rounds=3", "--edges=1", "--scene=room", "--method=vertex")
+    for module, name, value in (
+        (report, "RUNS", (run,)),
+        (report, "ROUNDS", 1),
+        (report, "PAGE", tmp_path / "report.md"),
+        (report, "PLOTS", tmp_path / "plots"),
+        (shim_cost, "CALLS", 100),
+    ):
+        monkeypatch.setattr(module, name, value)
+    report.main([])
+    written = (tmp_path / "report.md").read_text()
+    for name in ("Textured room, six quads", "vertex", "stock, not installed", "DOME=1", *shim_cost.KINDS):
+        assert f"| {name} |" in written or f"**{name}**" in written, name
+    assert (tmp_path / "plots" / "bench.png").stat().st_size > 0
