@@ -58,9 +58,9 @@ class Dome(Draws):
         self.building = self.lists.building if self.lists else None
         if self.context is not None:
             self.context.viewport_changed()  # another window may have changed the main view that they share
-            if self.context.in_own_framebuffer:
+            if self.context.aside.in_own_framebuffer:
                 self.context.framebuffer_bound()  # the toolkit may have bound the window's again, unseen
-            self.context.pass_by(self._session.passing)
+            self.context.aside.pass_by(self._session.passing)
 
     def window_resized(self, window: Window, program_size: tuple[int, int]) -> None:
         """The program's window has this size now."""
@@ -139,7 +139,7 @@ class Dome(Draws):
         """Nobody looks at what comes now: leave all draws out, or make them again."""
         self.flush()
         if self.context is not None:
-            self.context.pass_by(on)
+            self.context.aside.pass_by(on)
 
     @contextmanager
     def straight(self, window: Window) -> Iterator[None]:
@@ -149,16 +149,16 @@ class Dome(Draws):
             return
         context = self._windows[window].context
         self.flush()
-        context.bypass("straight", on=True)
+        context.aside.bypass("straight", on=True)
         try:
             yield
         finally:
             self.flush()
-            context.bypass("straight", on=False)
+            context.aside.bypass("straight", on=False)
 
     def selects(self, window: Window) -> bool:
         """The window's draws select or give feedback: they make no picture."""
-        return window in self._windows and self._windows[window].context.selects
+        return window in self._windows and self._windows[window].context.aside.selects
 
     def frame_ending(self, window: Window) -> None:
         """The picture is complete: cut it at the rim."""

@@ -71,7 +71,8 @@ class Draws:
             if recorder.materials:
                 self._flush_materials(current)
                 return
-        if recorder.blocks and current.context.passing and not recorder.extras and self.building is None:
+        left_out = current.context.aside.passing and self.building is None
+        if left_out and recorder.blocks and not recorder.extras:
             current.context.draw(lambda: current.submitter.skip(recorder))
         elif recorder.extras:
             self._flush_extras(current)

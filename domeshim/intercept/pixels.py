@@ -123,7 +123,7 @@ def clear(dome: Dome, original: Call) -> Call:
         if context is None:
             return original(mask)
         context.undress()
-        if context.in_own_framebuffer:
+        if context.aside.in_own_framebuffer:
             return original(mask)
         context.go_on()
         if context.pixels.scissor_cuts:

@@ -48,7 +48,7 @@ def noting_assembly(make: Callable[[Dome, Call], Call], *, on: bool) -> Callable
 
         def call(capability: Any, *args: Any) -> Any:
             if capability == _VERTEX_PROGRAM and dome.context is not None:
-                dome.context.bypass("assembly", on)
+                dome.context.aside.bypass("assembly", on)
                 if on:
                     dome.context.say_once(
                         "a vertex program in assembly language is not bent and draws as on the monitor"

@@ -231,7 +231,7 @@ def render_mode(dome: Dome, original: Call) -> Call:
 
     def call(mode: int) -> Any:
         if dome.context is not None:
-            dome.context.bypass("render mode", on=mode != _RENDER)
+            dome.context.aside.bypass("render mode", on=mode != _RENDER)
         return original(mode)
 
     return call

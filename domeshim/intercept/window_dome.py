@@ -70,7 +70,7 @@ class WindowDome:
     def end_frame(self) -> None:
         """The picture is complete: cut it at the rim. The window must be current."""
         context = self.context
-        if context.passing:
+        if context.aside.passing:
             context.undress()
             return
         steady = context.placer.steady
@@ -90,7 +90,7 @@ class WindowDome:
 
     def finish(self) -> None:
         """Make of the picture in the back buffer what the projector needs; the window must be current."""
-        if self.context.passing or not self._options.finishes:
+        if self.context.aside.passing or not self._options.finishes:
             return
         self.context.undress()
         wanted = self._finishing

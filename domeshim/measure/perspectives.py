@@ -39,7 +39,7 @@ class Perspectives:
         @wraps(dress)
         def dressed(context: DomeContext, *args: Any, **named: Any) -> None:
             dress(context, *args, **named)
-            if not context.compiling and not context.bypassed:
+            if not context.compiling and not context.aside.bypassed:
                 self._note(context)
 
         @wraps(clearing)

@@ -55,7 +55,7 @@ class Binding:
         """Stay out of the draws of a program that cannot end on the dome, and say why."""
         context, own = self._context, self._context.own
         out = name != 0 and own.current is None and own.fragments is None
-        context.bypass("program", on=out)
+        context.aside.bypass("program", on=out)
         units = own.fragments.texture_units if own.fragments else frozenset()
         if units != context.scene.read_units:
             context.scene.read_units = units

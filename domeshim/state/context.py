@@ -12,7 +12,6 @@ from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any
 
 from domeshim.draw.canvas import Canvas, canvas_of
-from domeshim.draw.target import drawn_to
 from domeshim.driver import Driver
 from domeshim.lens.chosen import lens_chosen
 from domeshim.lens.landing import Lens
@@ -20,6 +19,7 @@ from domeshim.lens.orientation import Orientation
 from domeshim.options import Options
 from domeshim.shading.program import Program
 from domeshim.shading.recipe import Patch, Recipe, Scene
+from domeshim.state.aside import Aside
 from domeshim.state.binding import Binding
 from domeshim.state.dresser import Dresser
 from domeshim.state.own_programs import OwnPrograms
@@ -36,13 +36,10 @@ from domeshim.window.frame import Frame, Rectangle
 if TYPE_CHECKING:
     from domeshim.state.panel_pixels import PanelPixels
 
-_TEXTURE, _RASTERIZER_DISCARD = 0x1702, 0x8C89
-_PATCH_VERTICES = 0x8E72
+_TEXTURE, _PATCH_VERTICES = 0x1702, 0x8E72
 CURRENT_AND_LIGHTING_BITS = 0x0041
 """GL's attribute groups that a draw may change: the current colour and its like, and what follows it."""
 _CURRENT_COLOR = 0x0B00
-_NOT_IN_WINDOW = frozenset(("render mode", "framebuffer"))
-"""Reasons to stay out of draws that leave no pixel in the window."""
 
 
 class DomeContext:
@@ -77,8 +74,8 @@ class DomeContext:
         self.binding = Binding(self)
         self.pixels = WindowPixels(self, options)
         self.subdividing = Subdividing(self, options)
-        self._bypasses: set[str] = set()
-        self._passing = False
+        self.aside = Aside(driver, window, self.undress)
+        """Whether draws are none of the dome's."""
         self._said: set[str] = set()
         self._where = Whereabouts(driver, self.placer, self.own)
         self._at_raster = False
@@ -144,11 +141,6 @@ class DomeContext:
         self.dress()
         return self.worn.dressing is not None and self.worn.dressing.program != 0
 
-    @property
-    def bypassed(self) -> bool:
-        """Draws go to GL as the program makes them."""
-        return bool(self._bypasses)
-
     def hides(self, placement: Placement) -> bool:
         """The user wants nothing of what is drawn there."""
         return self._dresser.wardrobe.hides(placement)
@@ -168,38 +160,8 @@ class DomeContext:
 
     def framebuffer_bound(self) -> None:
         """The program may have bound a framebuffer of its own, or the window again."""
-        self.bypass("framebuffer", on=drawn_to(self.driver) != self.window())
+        self.aside.framebuffer_bound()
         self._where.changed = True
-
-    @property
-    def in_own_framebuffer(self) -> bool:
-        """What the program draws goes into a framebuffer of its own."""
-        return "framebuffer" in self._bypasses
-
-    @property
-    def selects(self) -> bool:
-        """Draws select or give feedback."""
-        return "render mode" in self._bypasses
-
-    def bypass(self, reason: str, on: bool) -> None:
-        """While any reason is on, draws go to GL as the program makes them."""
-        (self._bypasses.add if on else self._bypasses.discard)(reason)
-        self.undress()
-
-    @property
-    def passing(self) -> bool:
-        """Draws are left out, for nobody looks at them."""
-        return self._passing
-
-    def pass_by(self, on: bool) -> None:
-        """Leave out the draws from now on, or make them again; this context must be current.
-
-        OpenGL 2 cannot leave them out, and they are made, unseen.
-        """
-        if on != self._passing and not self.driver.legacy:
-            self.undress()
-            self._passing = on
-            (self.driver.glEnable if on else self.driver.glDisable)(_RASTERIZER_DISCARD)
 
     def say_once(self, text: str) -> None:
         """Tell the user on stderr what cannot be done exactly, once."""
@@ -217,12 +179,12 @@ class DomeContext:
         """
         if self.compiling:
             return
-        if self._bypasses:
+        if self.aside.reasons:
             self.own.leave_straight()
-            if not self._bypasses & _NOT_IN_WINDOW:
+            if self.aside.straight_into_window:
                 self.canvas.settle(deep=True, straight=True)
             return
-        if self._passing:
+        if self.aside.passing:
             _ = self.seen  # later pictures may go by the perspectives of this one
             return
         changed = patch != self._patch or raster != self._at_raster or self._flat is not None

@@ -67,7 +67,7 @@ class PanelPixels:
     def _possible(self) -> bool:
         """What is drawn now would be the dome's, and only the fixed pipeline's colours with it."""
         context = self._context
-        if context.bypassed or context.compiling or context.passing:
+        if context.aside.bypassed or context.compiling or context.aside.passing:
             return False
         return context.own.current is None and context.own.fragments is None and not context.shows_levels
 

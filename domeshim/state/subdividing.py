@@ -45,13 +45,13 @@ class Subdividing:
     def minds_edges(self) -> bool:
         """How long the edges of what is drawn now are makes a difference."""
         context = self._context
-        unbent = context.compiling or context.bypassed or context.passing
+        unbent = context.compiling or context.aside.bypassed or context.aside.passing
         return not unbent and self.method is not None
 
     @property
     def may_subdivide(self) -> bool:
         """What is drawn now could be subdivided."""
-        return not self._context.bypassed and self.method is not None
+        return not self._context.aside.bypassed and self.method is not None
 
     @property
     def subdivides_own(self) -> bool:

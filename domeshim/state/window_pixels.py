@@ -45,7 +45,7 @@ class WindowPixels:
     @property
     def placed(self) -> bool:
         """A place in the program's window is another one in the frame."""
-        return not self._context.compiling and not self._context.bypassed
+        return not self._context.compiling and not self._context.aside.bypassed
 
     def flat(self, seen: Seen) -> tuple[Seen, Rectangle]:
         """Where things of the window's own pixels belong, and in which viewport: that of all the window."""
