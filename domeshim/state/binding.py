@@ -46,10 +46,12 @@ class Binding:
 
     def matrix_sent(self, location: int) -> None:
         """The program has sent a matrix to a uniform of its own."""
-        p = self._context.own.matrix_sent(location)
+        context = self._context
+        _, _, width, height = context.frame.outer
+        p = context.own.matrix_sent(location, width / height)
         if p is not None:
-            self._context.placer.perspective_set(p, on_modelview=False)
-            self._context.viewport_changed()
+            context.placer.perspective_set(p, on_modelview=False)
+            context.viewport_changed()
 
     def _bypass(self, name: int) -> None:
         """Stay out of the draws of a program that cannot end on the dome, and say why."""

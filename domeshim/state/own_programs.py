@@ -16,7 +16,7 @@ from domeshim.lens.landing import Lens
 from domeshim.lens.orientation import Orientation
 from domeshim.options import Options
 from domeshim.state.clip_planes import LEGACY_PLANES, NOTHING, PARTS, Equation
-from domeshim.state.perspective import Matrix, is_perspective, perspective_part, planar
+from domeshim.state.perspective import Matrix, is_perspective, perspective_within, planar
 from domeshim.state.placement import Placement
 from domeshim.state.scene import GL_CLIP_PLANE0
 from domeshim.window.frame import Frame
@@ -137,16 +137,24 @@ class OwnPrograms:
             self.complaints[stage.name] = f"its uniform {stage.unknown} cannot be handed over"
             stage.delete()
 
-    def matrix_sent(self, location: int) -> Matrix | None:
-        """A uniform of the bound program has got a matrix: the perspective in it, if that is news."""
+    def matrix_sent(self, location: int, aspect: float) -> Matrix | None:
+        """A uniform of the bound program has got a matrix: the perspective in it, if that is news.
+
+        aspect: the window's width over its height.
+        """
         own = self.source
         if own is None:
             return None
         values = (c_float * 16)()
         self._driver.glGetUniformfv(own.name, location, values)
         matrix = np.array(values, float).reshape(4, 4).T
-        p = _perspective_in(matrix)
-        if p is None or (own.perspective is not None and np.allclose(p, own.perspective, rtol=1e-4)):
+        if not is_perspective(matrix):
+            return None
+        used = [each.perspective for each in (own, *self._programs.values()) if each.perspective is not None]
+        p = perspective_within(matrix, aspect, used)
+        if p is None and used:
+            p = used[0]
+        if p is None or p is own.perspective:
             return None
         own.perspective = p
         return p
@@ -238,16 +246,3 @@ class OwnPrograms:
         """Let the bound program, if any is on the dome, draw as on the monitor."""
         if self.current is not None:
             self.current.set("domeMode", (0.0,))
-
-
-def _perspective_in(matrix: Matrix) -> Matrix | None:
-    """The perspective of a matrix P V M, V rigid and M at most evenly scaling; None where there is none.
-
-    A scale in M is taken out again: clip w is the distance along the view.
-    """
-    if not is_perspective(matrix) or abs(np.linalg.det(matrix[[0, 1, 3], :3])) < 1e-12:
-        return None
-    p = perspective_part(matrix)
-    p[:, :3] /= -p[3, 2]
-    skewed = abs(p[0, 1]) > 1e-3 * abs(p[1, 1])
-    return None if skewed else p

@@ -5,12 +5,16 @@ All matrices here are (4, 4) float64, mathematical rows by columns (GL's memory 
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 Matrix = NDArray[np.float64]
+CAMERA = [0, 1, 3]
+"""The rows of a matrix that make x, y and w: all that decides a direction."""
+_NEARLY = 1e-3
 DepthTerms = tuple[float, float]
 """(a, b), the uniform domeDepth: depth * r = a r + b."""
 
@@ -50,7 +54,7 @@ def perspective_part(m: Matrix) -> Matrix:
 
     Hartley, Zisserman, "Multiple View Geometry", section 6.2.4, with the eye looking along -z.
     """
-    rows = m[[0, 1, 3], :3]
+    rows = m[CAMERA, :3]
     r3 = -rows[2]
     scale = np.linalg.norm(r3)
     r3 = r3 / scale
@@ -63,7 +67,7 @@ def perspective_part(m: Matrix) -> Matrix:
     p[1, 1], p[1, 2] = up, shear_y
     p[3, 2] = -scale
     rotation = np.stack([r1, r2, r3])
-    shift = np.linalg.solve(p[np.ix_([0, 1, 3], [0, 1, 2])], m[[0, 1, 3], 3])
+    shift = np.linalg.solve(p[np.ix_(CAMERA, [0, 1, 2])], m[CAMERA, 3])
     p[2, :3] = rotation @ m[2, :3]
     p[2, 3] = m[2, 3] - p[2, :3] @ shift
     return p
@@ -72,6 +76,81 @@ def perspective_part(m: Matrix) -> Matrix:
 def _split(row: Matrix, axis: Matrix) -> tuple[float, Matrix]:
     along = float(row @ axis)
     return along, row - along * axis
+
+
+def perspective_within(m: Matrix, aspect: float, known: Iterable[Matrix] = ()) -> Matrix | None:
+    """The P of a matrix m = P V M, V a rigid motion, M a mesh's place and size; None where none can be told.
+
+    How wide P sees and what M stretches may be one in m. So of all that would explain m the likeliest counts:
+    a known one, if M then stretches along its own axes alone; a P with square pixels, if M is of one scale;
+    a centred P with square pixels, if M stretches along its own axes; any P, if M is of one scale.
+    aspect: the window's width over its height; known: perspectives that the program has used.
+    """
+    camera = m[CAMERA, :3]
+    volume = np.linalg.det(camera)
+    if not is_perspective(m) or abs(volume) < 1e-12 * np.prod(np.linalg.norm(camera, axis=1)):
+        return None
+    if volume > 0:  # M mirrors; the same without that has the same P
+        m = m * [-1, 1, 1, 1]
+    for p in known:
+        if _is_square(p, aspect) and _explains(p, m):
+            return p
+    p = perspective_part(m)
+    p[:, :3] /= -p[3, 2]  # M's scale taken out again: clip w is the distance along the view
+    if np.abs(p[:2, 2] + 0.5).max() <= _NEARLY:
+        return None  # it ends in a texture, from 0 to 1: a lamp's or a projector's
+    unskewed = bool(abs(p[0, 1]) <= _NEARLY * abs(p[1, 1]))
+    if unskewed and _is_square(p, aspect):
+        return p
+    centred = _centred(m, aspect)
+    return p if centred is None and unskewed else centred
+
+
+def _is_square(p: Matrix, aspect: float) -> bool:
+    """A pixel of a window of this aspect is seen as high as it is wide."""
+    return bool(abs(p[0, 0] * aspect - p[1, 1]) <= _NEARLY * abs(p[1, 1]))
+
+
+def _explains(p: Matrix, m: Matrix) -> bool:
+    """M stretches along its own axes alone if m = P V M has this P."""
+    _, _, z = rows = np.linalg.solve(p[np.ix_(CAMERA, [0, 1, 2])], m[CAMERA])
+    if not _is_upright(rows[:, :3].T @ rows[:, :3]):
+        return False
+    off = np.abs(m[2] - p[2, 2] * z - [0, 0, 0, p[2, 3]])
+    return bool(
+        off[:3].max() <= _NEARLY * np.abs(m[2]).max()
+        and off[3] <= _NEARLY * (abs(p[2, 3]) + abs(m[2, 3]) / 100)
+    )
+
+
+def _centred(m: Matrix, aspect: float) -> Matrix | None:
+    """The P of square pixels, the same to all sides, by which M stretches along its own axes alone.
+
+    With c the cotangent of half the angle of view, the columns of V M are those of (aspect x, y, c w) / c
+    for the rows x, y and w of m: at right angles for one c, unless they are so for each.
+    """
+    lengths = np.sqrt((m[CAMERA, :3] ** 2).sum(0))
+    x, y, w = m[CAMERA, :3] / lengths
+    wide, deep = aspect**2 * np.outer(x, x) + np.outer(y, y), np.outer(w, w)
+    pairs = np.triu_indices(3, 1)
+    square = -float(wide[pairs] @ deep[pairs]) / max(float(deep[pairs] @ deep[pairs]), 1e-30)
+    if square <= 0:
+        return None
+    products = wide + square * deep
+    told = square * np.abs(deep) > 0.01 * np.sqrt(np.outer(np.diag(products), np.diag(products)))
+    if not told[pairs].any() or not _is_upright(products):
+        return None
+    p = np.zeros((4, 4))
+    p[0, 0], p[1, 1], p[3, 2] = np.sqrt(square) / aspect, np.sqrt(square), -1
+    p[2, 2] = -(m[2, :3] @ m[3, :3]) / (m[3, :3] @ m[3, :3])
+    p[2, 3] = m[2, 3] + p[2, 2] * m[3, 3]
+    return p
+
+
+def _is_upright(products: Matrix) -> bool:
+    """Of three vectors, whose products these are, each is at right angles to the others."""
+    squares = np.diag(products)
+    return bool((np.abs(products - np.diag(squares)) <= _NEARLY * np.sqrt(np.outer(squares, squares))).all())
 
 
 @dataclass(frozen=True)

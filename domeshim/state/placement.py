@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from domeshim.options import Options
 from domeshim.state.perspective import (
+    CAMERA,
     DepthTerms,
     Matrix,
     depth_range,
@@ -25,8 +26,6 @@ from domeshim.window.frame import Frame, Rectangle
 if TYPE_CHECKING:
     from domeshim.state.comfort import SteadyView
 
-_CAMERA = [0, 1, 3]
-"""The rows of a projection that make x, y and w: all that decides a direction."""
 _REMEMBERED = 8
 
 
@@ -64,7 +63,7 @@ class View:
         """(3,): where a point of the window is seen, in the program's eye space; its z is -1."""
         vx, vy, w, h = self.viewport
         window = [2 * (x - vx) / w - 1, 2 * (y - vy) / h - 1, 1.0]
-        found = np.asarray(np.linalg.solve(self.camera[_CAMERA, :3], window), np.float64)
+        found = np.asarray(np.linalg.solve(self.camera[CAMERA, :3], window), np.float64)
         return np.asarray(found / -found[2], np.float64)
 
     def distance(self, depth: float, direction: NDArray[np.float64]) -> float:
@@ -159,7 +158,7 @@ class Placer:
         ):
             return Placement("modelview", _IDENTITY, depth)
         view = np.zeros((4, 4))
-        view[:3] = np.linalg.solve(camera[_CAMERA, :3], projection[_CAMERA])
+        view[:3] = np.linalg.solve(camera[CAMERA, :3], projection[CAMERA])
         view[3] = [0, 0, 0, 1] if whole is projection else np.linalg.solve(p.T, [0, 0, 0, 1]) @ projection
         if turn is not None:
             view[:3] = turn @ view[:3]
@@ -168,7 +167,7 @@ class Placer:
     def _perspective_in(self, whole: Matrix) -> Matrix:
         """The program's own P inside a matrix: one that leaves a rigid motion, else the one set last."""
         for p in self._known:
-            if _is_rigid(np.linalg.solve(p[_CAMERA, :3], whole[_CAMERA, :3])):
+            if _is_rigid(np.linalg.solve(p[CAMERA, :3], whole[CAMERA, :3])):
                 return p
         return self._known[0] if self._known else perspective_part(whole)
 
@@ -191,7 +190,7 @@ class Placer:
             ]
         )
         view = np.zeros((4, 4))
-        view[:3] = main.turn @ np.linalg.solve(main.camera[_CAMERA, :3], window)
+        view[:3] = main.turn @ np.linalg.solve(main.camera[CAMERA, :3], window)
         view[3, 3] = 1
         return Placement("panel", tuple(view.T.ravel()), (0.0, 0.0), hud=self.has_perspective)
 

@@ -84,13 +84,14 @@ def test_own_and_fixed_geometry_hide_each_other_by_distance(beside: Beside) -> N
     beside.assert_equal(one.picture, other.picture, name="own-depth", wrong=0.002)
 
 
+@pytest.mark.parametrize("stretch", [(1, 1, 1), (2, 0.5, 1), (1, -1, 1)], ids=str)
 @pytest.mark.parametrize("product", [False, True], ids=["projection alone", "product"])
-def test_matrices_of_its_own_in_uniforms(beside: Beside, product: bool) -> None:
+def test_matrices_of_its_own_in_uniforms(beside: Beside, product: bool, stretch: tuple[float, ...]) -> None:
     def views(gl: GL) -> Any:
         for i in range(2):
             gl.glLoadIdentity()
             gl.glRotatef(20 + 50 * i, 1, 2, 0)
-            gl.glScalef(0.5 + i, 0.5 + i, 0.5 + i)
+            gl.glScalef(*((0.5 + i) * along for along in stretch))
             yield gl.glGetFloatv(gl.GL_MODELVIEW_MATRIX)
 
     def fixed(gl: GL) -> None:

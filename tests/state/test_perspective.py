@@ -11,6 +11,7 @@ from domeshim.state.perspective import (
     is_perspective,
     perspective,
     perspective_part,
+    perspective_within,
     planar,
 )
 
@@ -77,3 +78,64 @@ def test_without_a_far_plane_everything_beyond_the_near_one_is_seen():
     a, b = planar(found.uniform)
     assert a + b / 1e30 <= 1
     assert (a * 0.1 / np.sqrt(3) + b) / (0.1 / np.sqrt(3)) == pytest.approx(-1)
+
+
+def in_float32(m):
+    return m.astype(np.float32).astype(float)
+
+
+def stretched(x, y, z):
+    return np.diag([x, y, z, 1.0])
+
+
+SCALES = st.floats(0.05, 20)
+
+
+@given(st.integers(0, 10_000), st.floats(20, 140), st.floats(0.5, 2), SCALES, SCALES, SCALES)
+def test_a_stretched_mesh_is_seen_by_the_same_perspective(seed, fovy, aspect, x, y, z):
+    p = perspective(fovy, aspect, 0.1, 100)
+    found = perspective_within(in_float32(p @ rigid(seed) @ stretched(x, y, z)), aspect)
+    assert found[[0, 1, 3]] == pytest.approx(p[[0, 1, 3]], rel=2e-2, abs=2e-2)
+
+
+@given(st.integers(0, 10_000), st.floats(20, 140), st.floats(0.5, 2), SCALES, st.sampled_from([-1, 1]))
+def test_a_mesh_of_one_scale_may_be_mirrored(seed, fovy, aspect, scale, side):
+    p = perspective(fovy, aspect, 0.1, 100)
+    found = perspective_within(in_float32(p @ rigid(seed) @ stretched(side * scale, scale, scale)), aspect)
+    assert found[[0, 1, 3]] == pytest.approx(p[[0, 1, 3]], rel=1e-3, abs=1e-3)
+
+
+@given(st.integers(0, 10_000), st.floats(0.2, 0.5), st.floats(-0.5, 0.5))
+def test_a_perspective_to_one_side_is_found_where_pixels_are_square(seed, right, up):
+    p = frustum(-1, 1, -1, 1, 2, 50)
+    p[0, 2], p[1, 2] = right, up
+    assert perspective_within(in_float32(p @ rigid(seed)), 1.0) == pytest.approx(p, rel=1e-3, abs=1e-3)
+
+
+def test_what_no_turn_tells_apart_is_told_by_a_known_perspective():
+    p = perspective(60, 1.5, 0.1, 100)
+    slab = p @ stretched(50, 0.1, 50)
+    assert perspective_within(slab, 1.5, [p]) is p
+    assert perspective_within(slab, 1.5, [perspective(60, 1.5, 0.1, 400), p]) is p
+
+
+def test_a_known_perspective_does_not_outlive_the_windows_shape():
+    before, after = perspective(60, 1.0, 0.1, 100), perspective(60, 1.5, 0.1, 100)
+    shifted = np.eye(4)
+    shifted[:3, 3] = 1, 2, -9
+    assert perspective_within(after @ shifted, 1.5, [before]) == pytest.approx(after)
+
+
+def test_a_perspective_that_heeds_no_shape_is_found_behind_one_scale():
+    p = perspective(60, 1.0, 0.1, 100)
+    assert perspective_within(p @ rigid(3) @ stretched(2, 2, 2), 1.5) == pytest.approx(p)
+
+
+@pytest.mark.parametrize("m", [np.eye(4), np.zeros((4, 4)), np.diag([1.0, 1.0, 0.0, 1.0])])
+def test_no_perspective_is_within_what_has_none(m):
+    assert perspective_within(m, 1.0) is None
+
+
+def test_what_ends_in_a_texture_is_no_pictures_perspective():
+    into_texture = np.array([[0.5, 0, 0, 0.5], [0, 0.5, 0, 0.5], [0, 0, 0.5, 0.5], [0, 0, 0, 1]])
+    assert perspective_within(into_texture @ perspective(45, 1.0, 1, 50) @ rigid(5), 1.0) is None
