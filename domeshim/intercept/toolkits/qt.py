@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     from domeshim.window.contract import Window
 
 _GL_CLASSES = ("QOpenGLWidget", "QOpenGLWindow", "QGLWidget")
+_GIVEN_CLASSES = (*_GL_CLASSES, "QOpenGLContext", "QOpenGLBuffer", "QOpenGLVertexArrayObject")
+"""What cannot be made without a display, for a context of Qt's is missing then."""
 _HOOKED = ("initializeGL", "resizeGL", "paintGL", "paintEvent")
 _QPAINTER = "what QPainter draws over GL is not bent onto the dome; it lies flat over the picture"
 
@@ -45,12 +47,11 @@ class QtToolkit(ToolkitHost):
     def replacements(self, part: str, module: ModuleType) -> dict[str, Any]:
         """Our classes for those of Qt in this module that draw with GL, or tell the time."""
         ours: dict[str, Any] = {}
-        for name in _GL_CLASSES:
+        gives = self.gives_windows
+        for name in _GIVEN_CLASSES if gives else _GL_CLASSES:
             original = getattr(module, name, None)
             if original is not None:
-                ours[name] = (
-                    self._the_given().make(name, original) if self.gives_windows else self._hook(original)
-                )
+                ours[name] = self._the_given().make(name, original) if gives else self._hook(original)
         if part == "QtCore" and self.gives_windows and self.session.clock.virtual:
             ours |= time_classes(self._the_given().pacer, module)
         return ours

@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from domeshim.errors import ScreenError
+from domeshim.intercept.toolkits.qt_objects import (
+    FUNCTIONS,
+    array_object_class,
+    asking_class,
+    buffer_class,
+    context_class,
+)
 from domeshim.intercept.toolkits.qt_surface import Surface
 from domeshim.intercept.toolkits.qt_time import Pacer
 
 if TYPE_CHECKING:
     from domeshim.intercept.toolkits.qt import QtToolkit
-
-_FUNCTIONS = "Qt's own GL functions cannot draw without a display; only PyOpenGL's calls can be captured"
 
 
 class GivenWindows:
@@ -20,22 +26,36 @@ class GivenWindows:
     def __init__(self, toolkit: QtToolkit) -> None:
         self.toolkit = toolkit
         self.pacer = Pacer(toolkit)
+        self.current: Callable[[], Any] | None = None
+        """Gives the widget that GL's calls go to, if it still is there."""
 
     def make(self, name: str, original: type) -> type:
-        """A class that serves as QOpenGLWidget, QOpenGLWindow or QGLWidget."""
+        """A class that serves as one of Qt's that draw with GL."""
         from domeshim.intercept.toolkits.qt import under_the_name_of  # noqa: PLC0415 - which imports this
 
-        if name == "QOpenGLWindow":
-            return under_the_name_of(original, _window_class(self, original))
-        return under_the_name_of(original, _widget_class(self, original))
+        return under_the_name_of(original, self._made(name, original))
+
+    def _made(self, name: str, original: type) -> type:
+        if name == "QOpenGLContext":
+            return asking_class(original, self._current_context)
+        if name == "QOpenGLBuffer":
+            return buffer_class(original)
+        if name == "QOpenGLVertexArrayObject":
+            return array_object_class(original, self.toolkit.part("QtCore"))
+        return _window_class(self, original) if name == "QOpenGLWindow" else _widget_class(self, original)
+
+    def _current_context(self) -> Any:
+        """The context of the widget that draws now, as Qt would give it; None where none does."""
+        widget = None if self.current is None else self.current()
+        return None if widget is None else widget.context()
 
     def adopt(self, widget: Any) -> Surface:
         """A widget was made: it has a surface from now on."""
         from domeshim.intercept.toolkits.qt import draws_by_qt  # noqa: PLC0415 - which imports this
 
         if draws_by_qt(widget):
-            raise ScreenError(_FUNCTIONS)
-        surface = Surface(self.toolkit, widget)
+            raise ScreenError(FUNCTIONS)
+        surface = Surface(self, widget)
         self.pacer.surfaces.append(surface)
         self.pacer.begin()
         return surface
@@ -72,7 +92,7 @@ class _GlCalls:
         pass
 
     def isValid(self) -> bool:
-        return True
+        return self.surface.initialised
 
     def defaultFramebufferObject(self) -> int:
         return 0
@@ -89,36 +109,11 @@ class _GlCalls:
     grabFrameBuffer = grabFramebuffer
 
 
-def _context_class(core: Any) -> type:
-    """What context() gives: it can be asked, and cannot draw."""
-    signal = getattr(core, "Signal", None) or core.pyqtSignal
-
-    class Context(core.QObject):  # type: ignore[misc]
-        aboutToBeDestroyed = signal()
-        surface_format: Any = None
-
-        def format(self) -> Any:
-            return self.surface_format
-
-        def isValid(self) -> bool:
-            return True
-
-        def isOpenGLES(self) -> bool:
-            return False
-
-        def functions(self, *_: Any) -> Any:
-            raise ScreenError(_FUNCTIONS)
-
-        extraFunctions = versionFunctions = functions
-
-    return Context
-
-
 def _widget_class(given: GivenWindows, original: type) -> type:
     core = given.toolkit.part("QtCore")
     widget: Any = given.toolkit.part("QtWidgets").QWidget
     signal = getattr(core, "Signal", None) or core.pyqtSignal
-    context_class = _context_class(core)
+    contexts = context_class(core)
 
     class Widget(_GlCalls, widget):  # type: ignore[misc]
         windows = given
@@ -158,8 +153,7 @@ def _widget_class(given: GivenWindows, original: type) -> type:
 
         def context(self) -> Any:
             if self.surface.context is None:
-                self.surface.context = context_class()
-                self.surface.context.surface_format = self.surface.format
+                self.surface.context = contexts(self.surface)
             return self.surface.context
 
         def updateGL(self) -> None:
@@ -176,7 +170,7 @@ def _window_class(given: GivenWindows, original: type) -> type:
     toolkit = given.toolkit
     core, gui = toolkit.part("QtCore"), toolkit.part("QtGui")
     signal = getattr(core, "Signal", None) or core.pyqtSignal
-    context_class = _context_class(core)
+    contexts = context_class(core)
 
     class GlWindow(_GlCalls, gui.QRasterWindow):  # type: ignore[misc,name-defined]
         windows = given
@@ -206,8 +200,7 @@ def _window_class(given: GivenWindows, original: type) -> type:
 
         def context(self) -> Any:
             if self.surface.context is None:
-                self.surface.context = context_class()
-                self.surface.context.surface_format = self.surface.format
+                self.surface.context = contexts(self.surface)
             return self.surface.context
 
     _lend_names(GlWindow, original)

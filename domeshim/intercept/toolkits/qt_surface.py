@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import weakref
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
@@ -10,7 +11,7 @@ from domeshim.errors import ProgramFinished
 from domeshim.window.contract import SurfaceFormat, Window, WindowEvents
 
 if TYPE_CHECKING:
-    from domeshim.intercept.toolkits.qt import QtToolkit
+    from domeshim.intercept.toolkits.qt_given import GivenWindows
 
 _QPAINTER = "what QPainter draws over GL is not in this picture, which is taken without a display"
 
@@ -18,12 +19,14 @@ _QPAINTER = "what QPainter draws over GL is not in this picture, which is taken 
 class Surface:
     """The GL side of one widget: the session's window it draws in, and what Qt would call when."""
 
-    def __init__(self, toolkit: QtToolkit, widget: Any) -> None:
+    def __init__(self, given: GivenWindows, widget: Any) -> None:
         self.asked = True
-        self._toolkit = toolkit
+        self._given = given
+        self._toolkit = given.toolkit
         self._widget = weakref.ref(widget)
         self._window: Window | None = None
-        self._initialised = False
+        self.initialised = False
+        """The program's initializeGL has been called."""
         self._told_size: tuple[int, int] | None = None
         self.painting = False
         self.in_event = False
@@ -76,8 +79,8 @@ class Surface:
         if widget is None:
             return
         window = self.make_current()
-        if not self._initialised:
-            self._initialised = True
+        if not self.initialised:
+            self.initialised = True
             widget.initializeGL()
         if window.size != self._told_size:
             self._told_size = window.size
@@ -101,11 +104,13 @@ class Surface:
     def make_current(self) -> Window:
         """Direct GL to the widget's window, opened on first use and as large as the widget is."""
         self._drawing = True
+        self._given.current = self._widget
         session = self._toolkit.session
         size = session.window_size or self._widget_size()
         if self._window is None:
             self._window = session.backend.open_window("", size, None, self._surface_format(), WindowEvents())
             self._toolkit.opened(self._window, size, core=self._core_asked())
+            self._tell_version()
             return self._window
         self._window.make_current()
         session.window_current(self._window)
@@ -127,6 +132,18 @@ class Surface:
     def _surface_format(self) -> SurfaceFormat:
         samples = self.format.samples() if self.format is not None else -1
         return SurfaceFormat(samples=max(samples, 0) or self._toolkit.samples_wished)
+
+    def _tell_version(self) -> None:
+        """Let the format say which OpenGL there is, as Qt does once there is a context."""
+        if not hasattr(self.format, "setVersion") or not hasattr(self.format, "renderableType"):
+            return
+        from OpenGL import GL  # noqa: PLC0415 - as above
+
+        version = re.match(rb"(\d+)\.(\d+)", GL.glGetString(GL.GL_VERSION))
+        if version is not None:
+            self.format = self._toolkit.part("QtGui").QSurfaceFormat(self.format)
+            self.format.setVersion(int(version[1]), int(version[2]))
+            self.format.setProfile(self.format.OpenGLContextProfile.CompatibilityProfile)
 
     def _core_asked(self) -> bool:
         asked = self.format

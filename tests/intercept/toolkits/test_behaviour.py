@@ -63,6 +63,48 @@ later()
 app.exec()
 """
 
+QT_BUFFERS = """
+import sys
+import numpy as np
+from PySide6.QtGui import QOpenGLContext
+from PySide6.QtOpenGL import QOpenGLBuffer, QOpenGLVertexArrayObject
+from PySide6.QtOpenGLWidgets import QOpenGLWidget
+from PySide6.QtWidgets import QApplication
+from OpenGL.GL import *
+class Half(QOpenGLWidget):
+    def initializeGL(self):
+        print("initialise", self.isValid(), QOpenGLContext.currentContext() is self.context())
+        print(self.context().format().version() >= (2, 1), self.context().hasExtension(b"GL_ARB_multisample"))
+        self.array = QOpenGLVertexArrayObject(self)
+        self.corners = QOpenGLBuffer(QOpenGLBuffer.Type.VertexBuffer)
+        self.numbers = QOpenGLBuffer(QOpenGLBuffer.IndexBuffer)
+        self.corners.setUsagePattern(QOpenGLBuffer.UsagePattern.DynamicDraw)
+        print(self.corners.isCreated(), self.corners.create(), self.numbers.create(), self.array.create())
+        self.array.bind()
+        self.corners.bind()
+        self.corners.allocate(4 * 8)
+        self.corners.write(0, np.array([(-1, -1), (0, -1), (0, 1), (-1, 1)], "f").tobytes(), 32)
+        self.numbers.bind()
+        self.numbers.allocate(np.arange(4, dtype=np.uint32).tobytes(), 16)
+        print(self.corners.size(), self.numbers.size(), bytes(self.numbers.read(4, 4)))
+        glVertexPointer(2, GL_FLOAT, 0, None)
+        glEnableClientState(GL_VERTEX_ARRAY)
+        self.array.release()
+        self.corners.release()
+    def paintGL(self):
+        glClearColor(0, 0, 1, 1)
+        glClear(GL_COLOR_BUFFER_BIT)
+        glColor3f(1, 1, 0)
+        self.array.bind()
+        glDrawElements(GL_QUADS, 4, GL_UNSIGNED_INT, None)
+        self.array.release()
+app = QApplication(sys.argv)
+half = Half()
+print("made", half.isValid(), QOpenGLContext.currentContext())
+half.show()
+app.exec()
+"""
+
 QT_OWN_PAINT_EVENT = """
 import sys
 from PySide6.QtGui import QPainter
@@ -322,6 +364,23 @@ def test_qt_timers_go_by_pictures_and_a_mixin_may_paint(tmp_path, captured_by_gl
     assert result.returncode == 0, result.stderr
     assert result.stdout == "0 200 200 0\n50 200 200 0\n100 200 200 0\n"
     assert (runs.picture(tmp_path) == captured_by_glut["dome"]).all()
+
+
+@needs_qt
+def test_a_qt_program_may_fill_qts_own_buffers(tmp_path):
+    result = runs.capture(tmp_path, QT_BUFFERS, "--mode", "monitor")
+    assert result.returncode == 0, result.stderr
+    assert result.stdout.splitlines() == [
+        "made False None",
+        "initialise True True",
+        "True True",
+        "False True True True",
+        r"32 16 b'\x01\x00\x00\x00'",
+    ]
+    picture = runs.picture(tmp_path)
+    half = picture.shape[1] // 2
+    assert (picture[:, :half] == (255, 255, 0)).all()
+    assert (picture[:, half:] == (0, 0, 255)).all()
 
 
 @needs_qt
