@@ -226,6 +226,11 @@ class Driver:
         found = re.match(rb"(\d+)\.(\d+)", self.glGetString(_VERSION) or b"")
         return (int(found[1]), int(found[2])) if found else (0, 0)
 
+    @property
+    def current(self) -> bool:
+        """A context is current: calls of GL have somewhere to go."""
+        return bool(self.glGetString(_VERSION))
+
     @cached_property
     def legacy(self) -> bool:
         """This is OpenGL 2: no clip distances, no array or framebuffer objects but by extensions."""

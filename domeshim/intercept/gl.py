@@ -122,7 +122,8 @@ def _frame_calls(session: Session, module: ModuleType) -> dict[str, Call]:
 
     def clearing(original: Call) -> Call:
         def call(mask: int, *_more: object) -> None:
-            session.clearing(colour=bool(mask & _COLOR_BUFFER_BIT))
+            if session.window is not None or driver.current:  # without a context nothing is cleared
+                session.clearing(colour=bool(mask & _COLOR_BUFFER_BIT))
             original(mask)
             if mask & ACCUMULATION_BIT and session.window is not None and accumulation.needed:
                 accumulation.clear(session.window, session.window.size)

@@ -322,6 +322,27 @@ print(glReadPixels(0, 0, 1, 1, GL_RGB, GL_UNSIGNED_BYTE))
     assert len(done.stderr.splitlines()) == 1
 
 
+def test_clearing_before_the_window_opens_names_no_unknown_toolkit(tmp_path):
+    early = """
+import glfw
+from OpenGL.GL import *
+glClear(GL_COLOR_BUFFER_BIT)
+glfw.init()
+window = glfw.create_window(64, 64, "late", None, None)
+glfw.make_context_current(window)
+glClear(GL_COLOR_BUFFER_BIT)
+glRectf(-1, -1, 1, 1)
+glfw.swap_buffers(window)
+"""
+    runs.write(tmp_path, early)
+    command = [sys.executable, "-m", "domeshim", "capture", "--size", "64", "--output", "out.png", "prog.py"]
+    done = subprocess.run(
+        command, cwd=tmp_path, env=runs.environment(), capture_output=True, text=True, timeout=LONGEST
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    assert (tmp_path / "out.png").exists()
+
+
 @needs_pygame
 def test_pygame_without_gl_is_left_alone(tmp_path):
     runs.write(tmp_path, FLAT_PYGAME)
