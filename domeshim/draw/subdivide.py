@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from domeshim.state.subdivision import Choice, Subdivision
 
 _LINE_STIPPLE, _LINE_SMOOTH, _SHADE_MODEL, _FLAT = 0x0B24, 0x0B20, 0x0B54, 0x1D00
-_RENDERER, _MULTISAMPLE, _SAMPLES = 0x1F01, 0x809D, 0x80A9
+_MULTISAMPLE, _SAMPLES = 0x809D, 0x80A9
 _POLYGON_MODE, _CULL_FACE = 0x0B40, 0x0B44
 
 Making = Callable[[Callable[[], object]], object]
@@ -205,7 +205,7 @@ def loses_smooth_lines(context: DomeContext) -> bool:
     Mesa's llvmpipe does where the picture has no samples (22.3).
     """
     gl = context.driver
-    if not gl.glIsEnabled(_LINE_SMOOTH) or not processor_draws(gl.glGetString(_RENDERER)):
+    if not gl.glIsEnabled(_LINE_SMOOTH) or not processor_draws(gl.renderer):
         return False
     return not (gl.integer(_SAMPLES) and gl.glIsEnabled(_MULTISAMPLE))
 

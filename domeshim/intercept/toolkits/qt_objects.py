@@ -67,14 +67,35 @@ def asking_class(original: Any, current: Any) -> type:
     return Asking
 
 
+class _GlObject:
+    """An object of GL's, made when the program says so."""
+
+    sort = ""
+    """What GL calls such objects."""
+    _name = 0
+
+    def create(self) -> bool:
+        self._name = self._name or int(getattr(_gl(), f"glGen{self.sort}")(1))
+        return True
+
+    def isCreated(self) -> bool:
+        return self._name != 0
+
+    def destroy(self) -> None:
+        if self._name:
+            getattr(_gl(), f"glDelete{self.sort}")(1, [self._name])
+        self._name = 0
+
+
 def buffer_class(original: Any) -> type:
     """What serves as QOpenGLBuffer: a buffer object of GL."""
 
-    class Buffer:
+    class Buffer(_GlObject):
+        sort = "Buffers"
+
         def __init__(self, kind: Any = original.Type.VertexBuffer) -> None:
             self._kind = kind
             self._usage = original.UsagePattern.StaticDraw
-            self._name = 0
 
         def type(self) -> Any:
             return self._kind
@@ -85,20 +106,8 @@ def buffer_class(original: Any) -> type:
         def setUsagePattern(self, usage: Any) -> None:
             self._usage = usage
 
-        def create(self) -> bool:
-            self._name = self._name or int(_gl().glGenBuffers(1))
-            return True
-
-        def isCreated(self) -> bool:
-            return self._name != 0
-
         def bufferId(self) -> int:
             return self._name
-
-        def destroy(self) -> None:
-            if self._name:
-                _gl().glDeleteBuffers(1, [self._name])
-            self._name = 0
 
         def bind(self) -> bool:
             if self._name:
@@ -143,25 +152,11 @@ def buffer_class(original: Any) -> type:
 def array_object_class(original: Any, core: Any) -> type:
     """What serves as QOpenGLVertexArrayObject: a vertex array object of GL."""
 
-    class ArrayObject(core.QObject):  # type: ignore[misc]
-        def __init__(self, parent: Any = None) -> None:
-            super().__init__(parent)
-            self._name = 0
-
-        def create(self) -> bool:
-            self._name = self._name or int(_gl().glGenVertexArrays(1))
-            return True
-
-        def isCreated(self) -> bool:
-            return self._name != 0
+    class ArrayObject(_GlObject, core.QObject):  # type: ignore[misc]
+        sort = "VertexArrays"
 
         def objectId(self) -> int:
             return self._name
-
-        def destroy(self) -> None:
-            if self._name:
-                _gl().glDeleteVertexArrays(1, [self._name])
-            self._name = 0
 
         def bind(self) -> None:
             _gl().glBindVertexArray(self._name)
