@@ -45,15 +45,26 @@ class Extent(NamedTuple):
         diagonal = math.hypot(bx - ax, by - ay, bz - az)
         return cls(((ax + bx) / 2, (ay + by) / 2, (az + bz) / 2), diagonal / 2, diagonal)
 
+    def _side(self, to_eye: Sequence[float]) -> int:
+        """The sign of the whole mesh's fourth coordinate: x, y and z alone tell directions; 0 if it changes.
+
+        It is not quite 1 where a perspective was multiplied onto MODELVIEW, and is taken out of it again.
+        """
+        (x, y, z), (aw, bw, cw, tw) = self.centre, to_eye[3::4]
+        w, spread = tw, 0.0
+        if aw or bw or cw:
+            w, spread = aw * x + bw * y + cw * z + tw, self.radius * math.hypot(aw, bw, cw)
+        return (w > spread) - (w < -spread)
+
     def surely_seen_from(self, to_eye: Sequence[float], distance: float) -> bool:
         """The mesh is so far away that no edge needs a closer look: quickly said, and False where in doubt.
 
         to_eye: as for largest_angle; distance: from where an edge of length 1 still keeps the tolerance. How
         much the matrix lengthens a vector is bounded by the root of the sum of its squares.
         """
-        ax, ay, az, aw, bx, by, bz, bw, cx, cy, cz, cw, tx, ty, tz, tw = to_eye
-        if aw or bw or cw or tw != 1:
+        if self._side(to_eye) <= 0:
             return False
+        ax, ay, az, _, bx, by, bz, _, cx, cy, cz, _, tx, ty, tz, _ = to_eye
         x, y, z = self.centre
         px, py, pz = (
             ax * x + bx * y + cx * z + tx,
@@ -71,9 +82,9 @@ class Extent(NamedTuple):
         d = distance - radius away, so an edge of length l subtends at most 2 atan(l / 2 d). How much the
         matrix lengthens a vector M is bounded by sqrt of the largest row sum of |M^T M|.
         """
-        ax, ay, az, aw, bx, by, bz, bw, cx, cy, cz, cw, tx, ty, tz, tw = to_eye
-        if aw or bw or cw or not tw:
+        if not self._side(to_eye):
             return math.pi
+        ax, ay, az, _, bx, by, bz, _, cx, cy, cz, _, tx, ty, tz, _ = to_eye
         ab, bc, ca = (
             abs(ax * bx + ay * by + az * bz),
             abs(bx * cx + by * cy + bz * cz),
@@ -95,9 +106,9 @@ class Extent(NamedTuple):
 
         to_eye: as for largest_angle.
         """
-        matrix = np.reshape(to_eye, (4, 4)).T
-        if matrix[3, :3].any() or not matrix[3, 3] or not math.isfinite(self.radius):
+        if not self._side(to_eye) or not math.isfinite(self.radius):
             return 0.0
+        matrix = np.reshape(to_eye, (4, 4)).T
         scale = float(np.linalg.norm(matrix[:3, :3])) / math.sqrt(3)
         farthest = float(np.linalg.norm(matrix[:3] @ (*self.centre, 1.0))) + scale * self.radius
         return scale * self.shortest_line / farthest if farthest else 0.0
@@ -107,9 +118,9 @@ class Extent(NamedTuple):
 
         direction: unit vector in eye space; to_eye: as for largest_angle.
         """
-        matrix = np.reshape(to_eye, (4, 4)).T
-        if matrix[3, :3].any() or matrix[3, 3] <= 0 or not math.isfinite(self.radius):
+        if self._side(to_eye) <= 0 or not math.isfinite(self.radius):
             return 0.0
+        matrix = np.reshape(to_eye, (4, 4)).T
         centre = matrix[:3] @ (*self.centre, 1.0)
         distance = float(np.linalg.norm(centre))
         radius = self.radius * float(np.linalg.norm(matrix[:3, :3]))
@@ -161,7 +172,17 @@ class Spheres:
             x, y, z = self.centres[:, some] - viewer[:, None]
             nearest = np.sqrt(x * x + y * y + z * z) - self.radii[some]
             np.divide(stretch * self.longest[some], nearest, out=found[some], where=nearest > 0)
+        if not (before := self._before_infinity(to_eye)).all():
+            found[np.broadcast_to(~before, found.shape)] = np.inf
         return found
+
+    def _before_infinity(self, to_eye: NDArray[np.floating]) -> NDArray[np.bool_]:
+        """(n,) or (1,): the primitives whose fourth coordinate is above 0 everywhere."""
+        along, w = to_eye[3, :3], to_eye[3, 3]
+        if not along.any():
+            return np.array([w > 0])
+        before: NDArray[np.bool_] = along @ self.centres + w > self.radii * np.linalg.norm(along)
+        return before
 
     @cached_property
     def _blocks(self) -> list[_Block]:
@@ -178,14 +199,14 @@ class Spheres:
     ) -> NDArray[np.floating]:
         """No point of a primitive is seen closer to a direction than its angle, (n,), radians; 0 in doubt.
 
-        direction: unit vector in eye space; to_eye: (4, 4), of last row (0, 0, 0, 1), as for largest_angles.
+        direction: unit vector in eye space; to_eye: (4, 4), as for largest_angles.
         """
         centres = self.centres.T @ to_eye[:3, :3].T + to_eye[:3, 3]
         distances = np.maximum(np.linalg.norm(centres, axis=1), 1e-300)
         between = np.arccos(np.clip(centres @ np.asarray(direction) / distances, -1, 1))
         radii = self.radii * float(np.linalg.norm(to_eye[:3, :3]))
         least = between - np.arcsin(np.minimum(radii / distances, 1))
-        sure = (radii < distances) & np.isfinite(self.longest)
+        sure = (radii < distances) & np.isfinite(self.longest) & self._before_infinity(to_eye)
         found: NDArray[np.floating] = np.where(sure, np.maximum(least, 0), 0.0)
         return found
 
@@ -212,7 +233,7 @@ def _viewer_in_mesh(to_eye: bytes) -> tuple[NDArray[np.floating] | None, float]:
     """
     matrix = np.frombuffer(to_eye).reshape(4, 4)
     turn = matrix[:3, :3]
-    if matrix[3].tolist() != [0, 0, 0, 1] or not np.isfinite(matrix).all():
+    if not np.isfinite(matrix).all():
         return None, 0.0
     scales = np.linalg.svd(turn, compute_uv=False)
     if not scales[2] > 1e-12 * scales[0]:

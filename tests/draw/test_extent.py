@@ -40,10 +40,52 @@ def test_bound_is_close_for_a_short_edge_ahead():
     assert extent.largest_angle(np.eye(4).T.ravel().tolist()) < 1.1 * 2 * np.arctan(0.05)
 
 
-def test_projective_matrix_bounds_nothing():
+def test_a_mesh_across_infinity_is_bound_by_nothing():
+    """w = z + 1: it changes its sign within the mesh, and is below 0 in all of the second."""
     matrix = np.eye(4)
-    matrix[3, 2] = -1
-    assert Extent.of_few([0, 0, -1, 1, 0, -1]).largest_angle(matrix.T.ravel().tolist()) == np.pi
+    matrix[3, 2] = 1
+    to_eye = matrix.T.ravel().tolist()
+    across, behind = Extent.of_few([0, 0, -1.4, 1, 0, -1]), Extent.of_few([0, 0, -9, 1, 0, -9])
+    assert across.largest_angle(to_eye) == np.pi
+    assert (across.smallest_line(to_eye), across.least_angle_from((0, 0, 1), to_eye)) == (0, 0)
+    assert behind.largest_angle(to_eye) < 0.2
+    assert behind.least_angle_from((0, 0, 1), to_eye) == 0
+    assert not behind.surely_seen_from(to_eye, 0.0)
+
+
+@given(st.integers(0, 100_000), st.floats(0.01, 10), st.floats(0, 1))
+def test_the_bounds_hold_under_a_perspective(seed, size, strength):
+    rng = np.random.default_rng(seed)
+    points = rng.normal(size=(12, 3)) * size
+    to_eye = np.eye(4) + rng.normal(size=(4, 4)) * [[1], [1], [1], [strength]]
+    to_eye[:3, 3] *= 10
+    homogeneous = np.append(points, np.ones((12, 1)), 1) @ to_eye.T
+    edges, matrix = corners(1, 12), to_eye.T.ravel().tolist()
+    extent = Extent.of(points, longest_edge(points, edges))
+    bound = extent.largest_angle(matrix)
+    if np.ptp(np.sign(homogeneous[:, 3])):
+        assert bound == np.pi
+        return
+    eye = homogeneous[:, :3] * np.sign(homogeneous[0, 3])
+    largest = angles(eye, edges)
+    assert bound >= largest.max() - 1e-9
+    if extent.surely_seen_from(matrix, 0.5 / np.tan(0.1 / 2)):
+        assert largest.max() <= 0.1 + 1e-9
+    closest = np.arccos((eye[:, 2] / np.linalg.norm(eye, axis=1)).clip(-1, 1)).min()
+    assert extent.least_angle_from((0, 0, 1), matrix) <= closest + 1e-6
+    bounds = Spheres.of(points[edges]).largest_angles(to_eye)
+    assert (bounds >= largest - 1e-9).all()
+
+
+def test_rounding_of_the_fourth_coordinate_leaves_the_bound_close():
+    """As where gluPerspective went to MODELVIEW and is taken out of it again."""
+    to_eye = np.eye(4)
+    to_eye[3] = 3e-8, -1e-9, 1e-7, 0.99999
+    matrix, places = to_eye.T.ravel().tolist(), np.array([[-0.5, 0, -10], [0.5, 0, -10]])
+    extent = Extent.of(places, 1.0)
+    assert extent.largest_angle(matrix) < 1.1 * 2 * np.arctan(0.05)
+    assert extent.surely_seen_from(matrix, 4.0)
+    assert Spheres.of(places[None]).largest_angles(to_eye) < 0.12
 
 
 def test_what_is_far_is_quickly_said():
@@ -122,7 +164,7 @@ def test_a_primitive_is_judged_by_its_own_distance():
     assert spheres.largest_angles(np.eye(4)) == pytest.approx([1 / 4.5, 1 / 499.5], rel=0.01)
 
 
-def test_primitives_are_bound_by_nothing_without_an_inverse_with_a_perspective_or_without_a_place():
+def test_primitives_are_bound_by_nothing_without_an_inverse_across_infinity_or_without_a_place():
     spheres = Spheres.of(np.array([[[4.0, 4, 4], [5, 5, 5]]]))
     flat, projective = np.diag([1.0, 1, 0, 1]), np.eye(4)
     projective[3, 2] = -1
