@@ -96,8 +96,10 @@ def draw_parts(context: DomeContext, parts: Parts, by_number: ByNumber) -> None:
 
 def _unsmoothed(gl: Driver, draw: Callable[[], object]) -> None:
     gl.glDisable(_LINE_SMOOTH)
-    draw()
-    gl.glEnable(_LINE_SMOOTH)
+    try:
+        draw()
+    finally:
+        gl.glEnable(_LINE_SMOOTH)
 
 
 def draw_copies(

@@ -150,7 +150,7 @@ class OwnPrograms:
         matrix = np.array(values, float).reshape(4, 4).T
         if not is_perspective(matrix):
             return None
-        used = [each.perspective for each in (own, *self._programs.values()) if each.perspective is not None]
+        used = self._perspectives(own)
         p = perspective_within(matrix, aspect, used)
         if p is None and used:
             p = used[0]
@@ -158,6 +158,11 @@ class OwnPrograms:
             return None
         own.perspective = p
         return p
+
+    def _perspectives(self, first: OwnProgram) -> list[Matrix]:
+        """Those last seen in the programs' uniforms, each once though programs share it."""
+        found = (each.perspective for each in (first, *self._programs.values()))
+        return list({id(p): p for p in found if p is not None}.values())
 
     def projection(self, of_gl: Matrix) -> Matrix:
         """The projection that the bound program draws by; of_gl: GL's own."""

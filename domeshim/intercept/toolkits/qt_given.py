@@ -12,6 +12,7 @@ from domeshim.intercept.toolkits.qt_objects import (
     asking_class,
     buffer_class,
     context_class,
+    lend_enumerations,
 )
 from domeshim.intercept.toolkits.qt_surface import Surface
 from domeshim.intercept.toolkits.qt_time import Pacer
@@ -162,7 +163,7 @@ def _widget_class(given: GivenWindows, original: type) -> type:
         def swapBuffers(self) -> None:
             self.surface.finish()
 
-    _lend_names(Widget, original)
+    lend_enumerations(Widget, original)
     return Widget
 
 
@@ -203,7 +204,7 @@ def _window_class(given: GivenWindows, original: type) -> type:
                 self.surface.context = contexts(self.surface)
             return self.surface.context
 
-    _lend_names(GlWindow, original)
+    lend_enumerations(GlWindow, original)
     return GlWindow
 
 
@@ -211,16 +212,3 @@ def _is_widgets(argument: Any, widget: type, core: Any) -> bool:
     """A QWidget takes this argument: its parent, or window flags; formats and share widgets are GL's."""
     flags = [getattr(core.Qt, name) for name in ("WindowType", "WindowFlags") if hasattr(core.Qt, name)]
     return argument is None or isinstance(argument, (widget, *flags))
-
-
-def _lend_names(ours: type, original: type) -> None:
-    """Constants and enumerations that a program looks up on Qt's own class."""
-    for name in (
-        "UpdateBehavior",
-        "NoPartialUpdate",
-        "PartialUpdate",
-        "PartialUpdateBlit",
-        "PartialUpdateBlend",
-    ):
-        if hasattr(original, name):
-            setattr(ours, name, getattr(original, name))

@@ -8,6 +8,7 @@ from __future__ import annotations
 from ctypes import create_string_buffer
 from typing import TYPE_CHECKING, Any, cast
 
+from domeshim.driver import Driver
 from domeshim.errors import ScreenError
 
 if TYPE_CHECKING:
@@ -37,13 +38,7 @@ def context_class(core: Any) -> type:
             return False
 
         def hasExtension(self, name: Any) -> bool:
-            return bytes(name) in self.extensions()
-
-        def extensions(self) -> set[bytes]:
-            gl = _gl()
-            return {
-                gl.glGetStringi(gl.GL_EXTENSIONS, i) for i in range(gl.glGetIntegerv(gl.GL_NUM_EXTENSIONS))
-            }
+            return Driver().names(bytes(name).decode())
 
         def functions(self, *_: Any) -> Any:
             raise ScreenError(FUNCTIONS)
@@ -145,7 +140,7 @@ def buffer_class(original: Any) -> type:
         def _gl_usage(self) -> int:
             return _number(self._usage)
 
-    _lend(Buffer, original)
+    lend_enumerations(Buffer, original)
     return Buffer
 
 
@@ -164,7 +159,7 @@ def array_object_class(original: Any, core: Any) -> type:
         def release(self) -> None:
             _gl().glBindVertexArray(0)
 
-    _lend(ArrayObject, original)
+    lend_enumerations(ArrayObject, original)
     return ArrayObject
 
 
@@ -184,7 +179,7 @@ def _bytes(data: Any, count: int) -> bytes:
     return content if count < 0 else content[:count]
 
 
-def _lend(ours: type, original: type) -> None:
+def lend_enumerations(ours: type, original: type) -> None:
     """Qt's enumerations and their members, which a program looks up on Qt's own class."""
     for name, value in vars(original).items():
         if name[0].isupper() and not hasattr(ours, name):

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import re
 import weakref
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from domeshim.driver import Driver
 from domeshim.errors import ProgramFinished
 from domeshim.window.contract import SurfaceFormat, Window, WindowEvents
 
@@ -137,13 +137,9 @@ class Surface:
         """Let the format say which OpenGL there is, as Qt does once there is a context."""
         if not hasattr(self.format, "setVersion") or not hasattr(self.format, "renderableType"):
             return
-        from OpenGL import GL  # noqa: PLC0415 - as above
-
-        version = re.match(rb"(\d+)\.(\d+)", GL.glGetString(GL.GL_VERSION))
-        if version is not None:
-            self.format = self._toolkit.part("QtGui").QSurfaceFormat(self.format)
-            self.format.setVersion(int(version[1]), int(version[2]))
-            self.format.setProfile(self.format.OpenGLContextProfile.CompatibilityProfile)
+        self.format = self._toolkit.part("QtGui").QSurfaceFormat(self.format)
+        self.format.setVersion(*Driver().version)
+        self.format.setProfile(self.format.OpenGLContextProfile.CompatibilityProfile)
 
     def _core_asked(self) -> bool:
         asked = self.format
